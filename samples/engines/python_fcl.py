@@ -9,7 +9,7 @@ from graze_peer import Unsupported, serve
 
 def model_of(mesh):
     model = fcl.BVHModel()
-    model.beginModel(len(mesh["vertices"]), len(mesh["triangles"]))
+    model.beginModel(len(mesh["triangles"]), len(mesh["vertices"]))
     model.addSubModel(np.array(mesh["vertices"]), np.array(mesh["triangles"]))
     model.endModel()
     return model

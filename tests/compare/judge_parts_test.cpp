@@ -273,8 +273,7 @@ TEST(Shrinking, KeepsTheClassAndLetsNoErrorGrow) {
     const Case query = query_of(Ask::Any, CaseMesh(ball, Pose::Identity()), CaseMesh(ball, pose));
     AnswerRecord record;
     record.engine = "thick";
-    record.judgement =
-        Judge(query).judge(*ask(*engines[0].engine, query), {"thick", ""}, {.ask_again = {}});
+    record.judgement = Judge(query).judge(*ask(*engines[0].engine, query), {"thick", ""});
     if (record.judgement.verdict != Verdict::Wrong) continue;
     ++seen;
     WrongAnswer wrong;

@@ -3,16 +3,19 @@
 
 #include <graze/engine/cases/to_case.h>
 #include <graze/engine/compare/judge/judge.h>
+#include <graze/engine/compare/judge/meshes/pair_error.h>
 #include <graze/engine/compare/judge/rational/mesh_referee.h>
 #include <graze/engine/compare/judge/rational/rational_triangle.h>
 #include <graze/engine/compare/judge/rational/separating_translation.h>
 #include <graze/engine/compare/referee.h>
+#include <graze/engine/compare/run/poses/pose_source.h>
 #include <graze/engine/compare/run/trial.h>
 #include <graze/engine/mesh/placement.h>
 #include <gtest/gtest.h>
 #include <tests/oracle/category.h>
 #include <tests/oracle/sampler.h>
 #include <algorithm>
+#include <map>
 
 #include "tests/compare/judged.h"
 #include "tests/shapes/formula_meshes.h"
@@ -280,6 +283,59 @@ TEST(JudgeClasses, ANameOfAClaimantChangesNothing) {
     EXPECT_EQ(classes,
               std::vector<ErrorClass>(4, is_touching ? ErrorClass::Touching : ErrorClass::Real));
   }
+}
+
+/// One answer has one class: given by an engine that is asked, or read from a case.
+TEST(JudgeClasses, AnAnswerHasOneClassLiveAndRecorded) {
+  const Mesh torus = tests::make_torus(1, 0.25, 12, 8), ball = tests::make_sphere(0.5, 6, 8);
+  const std::vector<EngineEntry> engines = all_engines();
+  std::map<ErrorClass, std::size_t> classes;
+  for (const Pose& pose : grazing_poses({torus}, ball, 60, 5)) {
+    Case query = to_case(CaseMesh(torus, Pose::Identity()), CaseMesh(ball, pose), true);
+    query.answer.reset();
+    for (const Testimony& live : try_case(query, engines)) {
+      if (!live.is_wrong()) continue;
+      ++classes[live.judgement.error_class];
+      Case kept = query;
+      kept.answer = live.answer;
+      for (const CaseWitness& witness : {live.witness, CaseWitness{"nobody", ""}}) {
+        kept.answered_by = witness;
+        const Judgement recorded = try_case(kept, {}).front().judgement;
+        EXPECT_EQ(recorded.error_class, live.judgement.error_class)
+            << live.witness.engine << ": " << name_of(recorded.error_class);
+        EXPECT_EQ(recorded.error, live.judgement.error);
+        EXPECT_EQ(recorded.truth, live.judgement.truth);
+      }
+    }
+  }
+  const bool has_peer = std::any_of(engines.begin(), engines.end(), [](const EngineEntry& e) {
+    return e.engine != nullptr && (e.name == "fcl" || e.name == "bullet");
+  });
+  EXPECT_EQ(classes[ErrorClass::PoseRounding] > 0, has_peer);
+}
+
+/// Who brings B into A's frame by one pose rounds otherwise than who places both, and than nobody.
+TEST(JudgeClasses, WhatOnePoseMadeOfTwoHasRoundedIsPoseRoundingToo) {
+  const Mesh torus = tests::make_torus(1, 0.25, 12, 8), ball = tests::make_sphere(0.5, 6, 8);
+  Pose turned = Pose::Identity();
+  turned.linear() = Eigen::AngleAxisd(1, Vector(1, 2, 3).normalized()).toRotationMatrix();
+  turned.translation() = Vector(3, -2, 1);
+  std::size_t by_one_pose = 0;
+  for (const Pose& pose : grazing_poses({torus, turned}, ball, 60, 5)) {
+    const MeshReferee referee({torus, turned}, {ball, pose});
+    const TrianglePair pair = referee.find_gap().pair;
+    const bool is_hit = referee.find_gap().square == 0;
+    const bool is_real_hit =
+        squared_distance(placed_without_rounding(turned, torus.triangle(pair.a)),
+                         placed_without_rounding(pose, ball.triangle(pair.b))) == 0;
+    const bool is_due = is_due_to_placing({torus, turned}, {ball, pose}, pair, is_hit);
+    if (is_real_hit != is_hit) {
+      EXPECT_TRUE(is_due);
+    } else {
+      by_one_pose += is_due;
+    }
+  }
+  EXPECT_GT(by_one_pose, 3u);
 }
 
 TEST(JudgeDistances, AreRightWithinTheirBoundsOnly) {

@@ -127,12 +127,52 @@ TEST(LeastParting, OfBallsIsWhatTheirRadiiSay) {
   }
 }
 
-/// As wide in all directions: there is no end of it, but the bounds are true and close.
+/// Whichever way one turns about a line it is as wide.
+TEST(LeastParting, OfRoundShapesOnOneAxisIsNoDirectionOfManyShorterEither) {
+  RandomSource random(13);
+  const std::vector<Shape> shapes = {Sphere{{0, 0, 0.25}, 0.5},
+                                     Capsule{0.25, 0.5},
+                                     Cylinder{0.5, 0.25},
+                                     Cone{0.5, 0.5},
+                                     Ellipsoid{{0, 0, 0.25}, {0.5, 0.5, 1}},
+                                     Ellipsoid{{0, 0, 0}, {0.5, 0.5, 0.5}}};
+  const std::vector<Vector3d> directions = many_directions(20000);
+  for (const Shape& shape_a : shapes) {
+    for (const Shape& shape_b : shapes) {
+      const Pose pose_a = turned(random, near_by(random));
+      for (const double aside : {0.0, 1e-8, 1e-3}) {
+        Pose pose_b = pose_a;
+        pose_b.translation() += pose_a.linear() * Vector3d(aside, 0, random.uniform(-0.5, 0.5));
+        const PlacedBody a{shape_a, pose_a}, b{shape_b, pose_b};
+        const auto found = least_parting(a, b, near_by(random), kTolerance);
+        ASSERT_TRUE(found);
+        double shortest = std::numeric_limits<double>::infinity();
+        for (const Vector3d& n : directions)
+          shortest = std::min(shortest, way_along(a, b, n));
+        EXPECT_LE(found->least, shortest + kRounding)
+            << name_of(shape_a.kind()) << ' ' << name_of(shape_b.kind()) << ' ' << aside;
+        EXPECT_LE(found->most, shortest + kTolerance);
+        if (aside < kTolerance) {
+          EXPECT_LE(found->most - found->least, kTolerance);
+        }
+        EXPECT_NEAR(way_along(a, b, found->direction), found->most, kRounding);
+      }
+    }
+  }
+}
+
+/// As wide in all directions, and no line about which both may turn exactly: there is no end of it,
+/// but the bounds are true and close.
 TEST(LeastParting, OfWhatIsRoundAllAroundHasBoundsAllTheSame) {
   const Shape a = Ellipsoid{{0, 0, 0}, {1, 1, 1}}, b = Box{{0.5, 0.5, 0.5}};
   const Shape round = Ellipsoid{{0, 0, 0}, {0.5, 0.5, 0.5}};
+  const Shape almost = Ellipsoid{{0, 0, 0}, {0.5, 0.5 + 1e-14, 0.5 - 1e-14}};
   const Pose here = Pose::Identity();
-  const auto found = least_parting({a, here}, {round, here}, Vector3d::UnitX(), 1e-9);
+  const auto on_a_line = least_parting({a, here}, {round, here}, Vector3d::UnitX(), 1e-9);
+  ASSERT_TRUE(on_a_line);
+  EXPECT_NEAR(on_a_line->most, 1.5, kRounding);
+  EXPECT_NEAR(on_a_line->least, 1.5, 1e-8);
+  const auto found = least_parting({a, here}, {almost, here}, Vector3d::UnitX(), 1e-9);
   ASSERT_TRUE(found);
   EXPECT_NEAR(found->most, 1.5, kRounding);
   EXPECT_LE(found->least, 1.5);

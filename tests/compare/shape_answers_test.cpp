@@ -153,8 +153,9 @@ TEST_F(OthersContacts, InAnyNumberAndOrderAreRight) {
   EXPECT_EQ(on(many).verdict, Verdict::Right) << "others are granted float";
 }
 
-/// Out along a diagonal of a corner B is free of A before a plane across the diagonal parts them.
-TEST_F(OthersContacts, ADepthThatFreesBBesideIsRight) {
+/// Out along a diagonal of a corner B is free of A before a plane across the diagonal parts them;
+/// along x it is free sooner.
+TEST_F(OthersContacts, ADepthThatFreesBBesideIsAWayOutButNotTheLeast) {
   const Case corner = of_bodies(Ask::Contacts, Box{{1, 1, 1}}, Box{{1, 1, 1}}, {1.75, 1.5, 0});
   const auto on_diagonal = [&](double depth) {
     CaseAnswer answer;
@@ -163,11 +164,21 @@ TEST_F(OthersContacts, ADepthThatFreesBBesideIsRight) {
     return Judge(corner).judge(answer, {"other", ""});
   };
   // Free once x has gone 0.25: after 0.25 / 0.6; a plane across needs 0.6 * 0.25 + 0.8 * 0.5.
-  EXPECT_EQ(on_diagonal(0.25 / 0.6 + 1e-6).verdict, Verdict::Right);
-  EXPECT_EQ(on_diagonal(0.5).verdict, Verdict::Right);
-  EXPECT_EQ(on_diagonal(0.55).verdict, Verdict::Right);
-  EXPECT_EQ(on_diagonal(0.25 / 0.6 - 0.05).verdict, Verdict::Wrong);
-  EXPECT_EQ(on_diagonal(0.56).verdict, Verdict::Wrong);
+  for (const double depth : {0.25 / 0.6 + 1e-6, 0.5, 0.55}) {
+    const Judgement judgement = on_diagonal(depth);
+    EXPECT_EQ(judgement.verdict, Verdict::Wrong);
+    EXPECT_EQ(judgement.error_class, ErrorClass::NotLeast) << judgement.truth;
+    EXPECT_NEAR(judgement.error, depth - 0.25, 1e-9);
+  }
+  for (const double depth : {0.25 / 0.6 - 0.05, 0.56}) {
+    EXPECT_EQ(on_diagonal(depth).verdict, Verdict::Wrong);
+    EXPECT_EQ(on_diagonal(depth).error_class, ErrorClass::Real);
+  }
+  const std::string truth = on_diagonal(0.5).truth;
+  EXPECT_NE(truth.find("a way out of 0.5 m, not the least: a plane parts them after 0.25 m, and "
+                       "none before 0.25 m"),
+            std::string::npos)
+      << truth;
 }
 
 TEST_F(OthersContacts, PlantedFaultsAreFound) {
@@ -229,8 +240,10 @@ TEST_F(Separations, PlantedFaultsAreFound) {
   const Judgement other_way = on({0, 1.5, 0});
   EXPECT_EQ(other_way.verdict, Verdict::Wrong) << "it parts them, but another is shorter";
   EXPECT_NEAR(other_way.error, 1.25, 1e-12);
-  EXPECT_NE(other_way.truth.find("a shorter one does: a plane parts them after 0.25 m"),
-            std::string::npos)
+  EXPECT_EQ(other_way.error_class, ErrorClass::NotLeast);
+  EXPECT_NE(
+      other_way.truth.find("a way out of 1.5 m, not the least: a plane parts them after 0.25 m"),
+      std::string::npos)
       << other_way.truth;
   EXPECT_EQ(on({0.25, 0, 0}, 0.5, "other").verdict, Verdict::Wrong) << "of another length";
   EXPECT_EQ(on({0.25, 0, 0}, 0.25 + 1e-7, "graze").verdict, Verdict::Wrong);

@@ -97,8 +97,8 @@ version behind it, fcl@0.7.0: so two versions of one engine stand beside each ot
 the run, and those that --fail-on ENGINE:changed names. --answer-tolerance lets distances differ by so many metres.
 
 Only graze fails a comparison by itself. --fail-on ENGINE adds the wrong answers of an engine, :CLASS only those
-of a class (touching, pose-rounding, coplanar, degenerate, containment, real, engine-error), >SIZE only errors
-larger than so many metres; quote the >. The last line counts them: {"fail_on":2} with --json. --junit and --markdown
+of a class (touching, pose-rounding, coplanar, degenerate, not-least, containment, real, engine-error), >SIZE only
+errors larger than so many metres; quote the >. The last line counts them: {"fail_on":2} with --json. --junit and --markdown
 write what fails, and the table of engines, for what shows them in a code host (samples/compare_in_ci.md).
 
 Examples:

@@ -20,16 +20,16 @@ and to every other engine that this command was built with, and the referee, exa
 no formula with graze, says who is right. An answer is "right" only if every part of it was judged; else, if
 nothing in it is wrong, it is "not judged", and the truth names what was not: normals and depths of contacts
 of what is not convex, how an intersection is joined, questions of a mesh about itself. The answer that stands in
-the file is judged too, by itself. "changed" is an answer of graze other than the one that graze or the referee once gave: that is
+the file is judged too, and gets the class that it would get live. "changed" is an answer of graze other than the one that graze or the referee once gave: that is
 right where a bug was fixed since. Most other engines have no query for rays, intersections and separations.
 First contacts are judged by certificates of freedom and by contacts at a time; of these only FCL has a query, with
 ten samples, and as "fcl-advancement". What is wrong there is called missed, late, early, or "hit" of a free motion.
 
 Wrong answers have a class, the first that fits: degenerate (a triangle without area); by no more than
-64 ulp: coplanar (one plane holds both triangles), pose rounding (right without poses), touching; beyond
-that: containment (one mesh inside the other), real. Other engines run in processes of their own: a crash, or
-no answer within --timeout, is an engine error, and what they get wrong is asked again alone: if it is right
-then, it is "not confirmed".
+64 ulp: coplanar (one plane holds both triangles), pose rounding (right if placed otherwise), touching; beyond
+that: not least (a way out, but a shorter one is there), containment (one mesh inside the other), real. Other
+engines run in processes of their own: a crash, or no answer within --timeout, is an engine error, and what they
+get wrong is asked again alone: if it is right then, it is "not confirmed".
 
 With --json each case gives one line, with plain numbers that read back as the same doubles:
   {"case":FILE,"question":"any","testimonies":[{"engine":"graze","version":"0.1.0","recorded":false,
@@ -39,8 +39,8 @@ names it says "fails":true.
 
 Only graze fails a replay by itself. --fail-on ENGINE adds the wrong answers of an engine, those that it gives
 now and those that a case records of it; --fail-on recorded those that cases record, whoever gave them. With
-:CLASS only errors of that class count: touching, pose-rounding, coplanar, degenerate, containment, real,
-engine-error; with >SIZE behind only those larger than so many metres (quote the >).
+:CLASS only errors of that class count: touching, pose-rounding, coplanar, degenerate, not-least, containment,
+real, engine-error; with >SIZE behind only those larger than so many metres (quote the >).
 
 --engine-command starts an engine of your own, as for graze compare.
 

@@ -150,6 +150,7 @@ std::string summary_text(std::span<const EngineSummary> summaries) {
                      {"pose rounding", 13},
                      {"coplanar", 8},
                      {"degenerate", 10},
+                     {"not least", 9},
                      {"containment", 11},
                      {"real", 6},
                      {"engine error", 12},
@@ -180,15 +181,19 @@ std::string summary_json(std::span<const EngineSummary> summaries,
   for (std::size_t i = 0; i < summaries.size(); ++i) {
     const EngineSummary& s = summaries[i];
     out += fmt::format(
-        "{}{{\"engine\":{},\"answers\":{},\"agreed\":{},\"right\":{},\"not_judged\":{},\"wrong\":{}"
-        ",\"touching\":{},\"pose_rounding\":{},\"coplanar\":{},\"degenerate\":{},\"containment\":{}"
-        ",\"real\":{},"
-        "\"engine_error\":{}"
+        "{}{{\"engine\":{},\"answers\":{},\"agreed\":{},\"right\":{},\"not_judged\":{},\"wrong\":{"
+        "}",
+        i == 0 ? "" : ",", json_string(s.engine), s.answers, s.agreed, s.right, s.not_judged,
+        s.wrong);
+    for (std::size_t k = 0; k < s.classes.size(); ++k) {
+      std::string key = name_of(compare::kErrorClasses[k]);
+      std::replace(key.begin(), key.end(), ' ', '_');
+      out += fmt::format(",\"{}\":{}", key, s.classes[k]);
+    }
+    out += fmt::format(
         ",\"not_confirmed\":{},\"largest_error\":{},\"largest_ulps\":{},\"median_us\":{:.3f},"
         "\"total_us\":{:.3f}}}",
-        i == 0 ? "" : ",", json_string(s.engine), s.answers, s.agreed, s.right, s.not_judged,
-        s.wrong, s.classes[0], s.classes[1], s.classes[2], s.classes[3], s.classes[4], s.classes[5],
-        s.classes[6], s.not_confirmed, json_plain_or_infinite(s.largest_error),
+        s.not_confirmed, json_plain_or_infinite(s.largest_error),
         json_plain_or_infinite(s.largest_ulps), s.median_time, s.total_time);
   }
   out += "],\"cases\":[";

@@ -29,7 +29,8 @@ std::string summary_table(std::span<const EngineSummary> summaries) {
       "class=\"sorted\"><tr><th>engine</th><th>answers</th><th>agreed</th><th>right</th><th>wrong</"
       "th><th>not judged</th>"
       "<th>touching</th><th>pose "
-      "rounding</th><th>coplanar</th><th>degenerate</th><th>containment</th><th>real</th>"
+      "rounding</th><th>coplanar</th><th>degenerate</th><th>not "
+      "least</th><th>containment</th><th>real</th>"
       "<th>engine error</th><th>not confirmed</th><th>largest error, m</th><th>in "
       "ulp</th><th>median, us</th><th>total, "
       "ms</th></tr>\n";

@@ -7,19 +7,14 @@
 
 namespace graze::compare {
 
-struct JudgeSettings {
-  /// Asks the engine that gave the answer about two triangles, placed without rounding and without
-  /// poses, so that errors of placing can be told from others. May be empty.
-  std::function<std::optional<bool>(const Triangle&, const Triangle&)> ask_again = {};
-};
-
 /// The referee for one query, who can judge many answers to it: linear programs in integers,
 /// rational numbers and proofs. README.md says which few formulas of the library it uses. Right is
 /// an answer only if every part of it was judged; README.md says of each question what is, and with
 /// what tolerance. Two bodies are ShapeJudge's, and what else is said of them is looked at
 /// likewise. A distance is right within law 7's four ulp if graze says so, and for other engines,
 /// which promise nothing, within kTouchUlps of the largest coordinate; a negative one of theirs
-/// claims a touch, and is judged as that alone: NotJudged, unless it is -1.
+/// claims a touch, and is judged as that alone: NotJudged, unless it is -1 or, of two convex
+/// shapes, the least depth.
 class Judge {
  public:
   /// The case must outlive the judge.
@@ -28,8 +23,7 @@ class Judge {
   Judge(const Judge&) = delete;
   Judge& operator=(const Judge&) = delete;
 
-  Judgement judge(const CaseAnswer& answer, const CaseWitness& witness,
-                  const JudgeSettings& settings = {}) const;
+  Judgement judge(const CaseAnswer& answer, const CaseWitness& witness) const;
 
  private:
   struct Truth;

@@ -23,15 +23,15 @@ enum class ErrorClass {
   PoseRounding,  ///< as small, and right if no pose had to be rounded
   Coplanar,      ///< as small, and one plane holds both triangles that show it best, exactly
   Degenerate,    ///< one of the two that show it best has exactly no area
+  NotLeast,      ///< a way out of each other that parts the two, but a shorter one does
   Containment,   ///< more than kTouchUlps apart, and one closed mesh lies inside the other
   Real,          ///< none of these: a plain error
   EngineError,   ///< no answer to what was asked: triangles that are not there, no numbers, a throw
 };
 
-inline constexpr std::array kErrorClasses = {ErrorClass::Touching,    ErrorClass::PoseRounding,
-                                             ErrorClass::Coplanar,    ErrorClass::Degenerate,
-                                             ErrorClass::Containment, ErrorClass::Real,
-                                             ErrorClass::EngineError};
+inline constexpr std::array kErrorClasses = {
+    ErrorClass::Touching, ErrorClass::PoseRounding, ErrorClass::Coplanar, ErrorClass::Degenerate,
+    ErrorClass::NotLeast, ErrorClass::Containment,  ErrorClass::Real,     ErrorClass::EngineError};
 
 /// Beyond this many ulp of the largest coordinate an error is no longer one of rounding: some
 /// twenty operations a coordinate, each off by half an ulp, and the square roots of their sums.

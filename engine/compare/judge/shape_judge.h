@@ -39,7 +39,7 @@ class ShapeJudge {
   /// the class touching up to kShapeTolerance of the pair's scale, else real. graze is right to
   /// call shapes a hit that miss each other by its own kTouchTolerance, or for which its search
   /// does not end, where law 11 says so.
-  Judgement judge(bool says, const CaseWitness& witness, const JudgeSettings& settings = {}) const;
+  Judgement judge(bool says, const CaseWitness& witness) const;
 
   /// Whether they meet; nothing if that is not proved, and of two meshes.
   std::optional<bool> is_hit() const;

@@ -146,8 +146,7 @@ class PoseTrial {
     return judged(
         owner.name(), std::move(said),
         [&](const CaseAnswer& answer) {
-          return judge.judge(answer, {owner.name(), owner.engine().name().version},
-                             owner.is_recorded() ? JudgeSettings() : asking(owner.engine()));
+          return judge.judge(answer, {owner.name(), owner.engine().name().version});
         },
         [&] { return owner.hear_alone(pose); });
   }

@@ -144,24 +144,20 @@ class StepTrial {
   /// All answers, or, where none is disputed, those that are none.
   void judge_answers(const ScenePair& pair, std::size_t place, bool is_disputed) {
     const ShapeJudge referee(body(pair.a), body(pair.b));
-    const Engine* graze = nullptr;
     std::optional<bool> graze_says;
     for (const Said& each : heard_) {
       if (each.engine == nullptr || each.engine->entry().name != "graze") continue;
-      graze = each.engine->entry().engine.get();
       if (each.utterance.answer) graze_says = each.says();
     }
     std::vector<AnswerRecord>& answers = record_.differences.back().answers;
     for (std::size_t i = 0; i < heard_.size(); ++i) {
       Said& each = heard_[i];
       if (!is_disputed && each.utterance.answer) continue;
-      const Engine* asked = each.engine == nullptr ? graze : each.engine->entry().engine.get();
       const std::string name = each.engine == nullptr ? "graze" : each.engine->entry().name;
       Heard heard = judged(
           name, std::move(each.utterance),
           [&](const CaseAnswer& answer) {
-            return referee.judge(*answer.says, {name, ""},
-                                 asked == nullptr ? JudgeSettings() : asking(*asked));
+            return referee.judge(*answer.says, {name, ""});
           },
           [&] { return each.engine->hear_alone(bodies_, asked_, place); });
       each.utterance = std::move(heard.said);

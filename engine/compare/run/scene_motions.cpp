@@ -213,9 +213,7 @@ class WayTrial {
           name, std::move(each.heard.said),
           [&](const CaseAnswer& answer) {
             if (!judge) return Judgement();
-            return judge->judge(
-                answer, {name, ""},
-                each.engine == nullptr ? JudgeSettings() : asking(*each.engine->entry().engine));
+            return judge->judge(answer, {name, ""});
           },
           [&] {
             return each.engine->hear_alone(question, ways_[pair.a].placed, ways_[pair.b].placed);

@@ -104,8 +104,7 @@ class OneShrinking {
     const Utterance said = hear([&] { return ask(asked, query); }, "");
     said_ = said.answer;
     if (!said.fault.empty()) return engine_error(said.fault);
-    return said.answer ? Judge(query).judge(*said.answer, best_.query.answered_by, asking(engine_))
-                       : Judgement();
+    return said.answer ? Judge(query).judge(*said.answer, best_.query.answered_by) : Judgement();
   }
 
   /// Wrong for the same reason: rounding coordinates could make a real error one of touching.

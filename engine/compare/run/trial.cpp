@@ -107,24 +107,6 @@ Heard judged(const std::string& engine, Utterance said,
   return first;
 }
 
-JudgeSettings asking(const Engine& engine) {
-  return {.ask_again = [&engine](const Triangle& a, const Triangle& b) -> std::optional<bool> {
-    const Case query{.note = "",
-                     .ask = Ask::Any,
-                     .settings = {},
-                     .a = a,
-                     .b = b,
-                     .answer = std::nullopt,
-                     .answered_by = {}};
-    try {
-      const std::optional<CaseAnswer> answer = ask(engine, query);
-      return answer ? answer->says : std::nullopt;
-    } catch (const std::exception&) {
-      return std::nullopt;
-    }
-  }};
-}
-
 std::vector<Testimony> try_case(const Case& query, std::span<const EngineEntry> engines) {
   std::vector<Testimony> all;
   const Judge judge(query);
@@ -133,8 +115,6 @@ std::vector<Testimony> try_case(const Case& query, std::span<const EngineEntry> 
     recorded.witness = query.answered_by;
     recorded.is_recorded = true;
     recorded.answer = *query.answer;
-    // By the claim alone: the engine that is here may be another version of who made it, or only
-    // bear its name.
     recorded.judgement = judge.judge(recorded.answer, recorded.witness);
     all.push_back(std::move(recorded));
   }
@@ -146,9 +126,7 @@ std::vector<Testimony> try_case(const Case& query, std::span<const EngineEntry> 
     testimony.witness = entry.engine->name();
     Heard heard = judged(
         entry.name, std::move(said),
-        [&](const CaseAnswer& answer) {
-          return judge.judge(answer, testimony.witness, asking(*entry.engine));
-        },
+        [&](const CaseAnswer& answer) { return judge.judge(answer, testimony.witness); },
         [&] { return hear_alone(entry, query); });
     testimony.answer = std::move(heard.said.answer).value_or(CaseAnswer());
     testimony.time = heard.said.time;

@@ -61,10 +61,6 @@ Heard judged(const std::string& engine, Utterance said,
              const std::function<Judgement(const CaseAnswer&)>& judge,
              const std::function<Utterance()>& ask_alone);
 
-/// The engine, asked about two triangles by the judge who wants to know why it was wrong. It must
-/// outlive the result.
-JudgeSettings asking(const Engine& engine);
-
 /// The answer in a few characters: "yes", "1 pair", "12 pairs", "0.25 m".
 std::string brief(const CaseAnswer& answer);
 

@@ -140,6 +140,48 @@ TEST(UsersEngine, OfFclSaysWhatFclSaysOfShapes) {
 }
 #endif
 
+#ifdef GRAZE_PYTHON_FCL
+/// The page that wraps python-fcl, on a stand-in for that package whose answers are FCL's: it says
+/// what FCL says, of meshes and of all shapes that it knows.
+TEST(UsersEngine, OfPythonFclSaysWhatFclSays) {
+  const std::vector<CaseShape> known = {
+      CaseMesh(tests::make_torus(1, 0.25, 10, 8), Pose::Identity()),
+      CaseMesh(tests::make_box({0.2, 0.2, 0.2}), Pose::Identity()),
+      CaseBody(Sphere{{0.25, 0, 0}, 0.5}, Pose::Identity()),
+      CaseBody(Box{{0.5, 0.25, 0.75}}, Pose::Identity()),
+      CaseBody(Capsule{0.25, 0.5}, Pose::Identity()),
+      CaseBody(Cylinder{0.5, 0.25}, Pose::Identity()),
+      CaseBody(Cone{0.5, 0.5}, Pose::Identity()),
+      CaseBody(Ellipsoid{{0, 0.125, 0}, {0.5, 1, 0.25}}, Pose::Identity())};
+  for (const Ask ask : {Ask::Any, Ask::Distance}) {
+    for (std::size_t i = 0; i + 1 < known.size(); ++i) {
+      if (i == 1) continue;  // a mesh and a shape
+      std::vector<EngineEntry> engines = graze_and(start_engine(GRAZE_PYTHON_FCL));
+      EXPECT_EQ(engines.back().name, "python-fcl");
+      for (EngineEntry& entry : all_engines())
+        if (entry.name == "fcl") engines.push_back(std::move(entry));
+      std::size_t touching = 0;
+      for (const std::vector<AnswerRecord>& answer :
+           answers(std::move(engines), ask, known[i], known[i + 1])) {
+        ASSERT_EQ(answer.size(), 3u);
+        EXPECT_EQ(answer[1].brief, answer[2].brief) << name_of(ask) << i;
+        EXPECT_EQ(answer[1].value, answer[2].value) << name_of(ask) << i;
+        touching += answer[1].brief == "yes" || answer[1].value.value_or(1) <= 0;
+      }
+      EXPECT_GT(touching, 0u);
+      EXPECT_LT(touching, 12u);
+    }
+  }
+}
+
+TEST(UsersEngine, OfPythonFclRefusesWhatThatHasNot) {
+  const CaseBody box(Box{{0.5, 0.5, 0.5}}, Pose::Identity());
+  const CaseBody flat(HalfSpace{{0, 0, 1}, 0}, Pose::Identity());
+  for (const auto& answer : answers(graze_and(start_engine(GRAZE_PYTHON_FCL)), Ask::Any, box, flat))
+    EXPECT_EQ(answer.size(), 1u);
+}
+#endif
+
 /// What a program prints.
 std::string printed_by(const std::string& command) {
   std::FILE* pipe = popen(command.c_str(), "r");

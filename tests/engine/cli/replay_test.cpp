@@ -250,7 +250,7 @@ TEST_F(CliReplayFailOn, WhatCanNeverFailIsRefused) {
   EXPECT_EQ(
       refusal_of("fcl:plain"),
       "--fail-on: there is no class \"plain\", but touching, pose-rounding, coplanar, degenerate, "
-      "containment, real, engine-error");
+      "not-least, containment, real, engine-error");
   EXPECT_EQ(refusal_of("coal"), "--fail-on: coal was not found when this command was built");
   EXPECT_NE(refusal_of(""), "");
   EXPECT_EQ(refusal_of(":real"), refusal_of("")) << "no engine";

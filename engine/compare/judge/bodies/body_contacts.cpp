@@ -94,26 +94,32 @@ Fault fault_of_parting(const PlacedBody& a, const PlacedBody& b,
 }
 
 /// The same of another engine's contacts, of which the deepest may stand anywhere. Along its normal
-/// B may be free of A before a plane across it parts the two: both depths are right.
-Fault fault_of_others_parting(const PlacedBody& a, const PlacedBody& b,
-                              const CaseShapeContact& deepest, double tolerance) {
+/// B may be free of A before a plane across it parts the two: both depths are ways out.
+PartsReview review_others_parting(const PlacedBody& a, const PlacedBody& b,
+                                  const CaseShapeContact& deepest, double tolerance,
+                                  std::string& truth) {
   const Vector3d n = deepest.normal.normalized();
   const double needed = needed_along(a, b, n);
   const auto beside = [&](const char* what) {
     return std::string(what) + in_metres(", which is", deepest.depth) +
            in_metres(": a plane across the normal parts them after", needed);
   };
-  if (deepest.depth > std::max(needed, 0.0) + tolerance)
-    return WitnessFault{beside("a depth beyond what parts the two"), deepest.depth - needed};
-  if (needed <= deepest.depth + tolerance) return std::nullopt;
-  Pose moved = b.pose;
-  moved.translation() += n * deepest.depth;
-  const double still = shared_depth(a, {b.shape, moved});
-  if (!(still > tolerance)) return std::nullopt;
-  const double back = needed_along(a, b, -n);
-  if (back <= deepest.depth + tolerance)
-    return WitnessFault{"a normal from B to A", 2 * deepest.depth};
-  return WitnessFault{beside("a depth after which they share a point below both surfaces"), still};
+  if (deepest.depth > std::max(needed, 0.0) + tolerance) {
+    return {.fault =
+                WitnessFault{beside("a depth beyond what parts the two"), deepest.depth - needed}};
+  }
+  const WayOut way{n, std::max(deepest.depth, 0.0), tolerance};
+  if (needed > deepest.depth + tolerance) {
+    PartsReview parted = review_parted(a, b, way);
+    const double back = needed_along(a, b, -n);
+    if (parted.fault && back <= deepest.depth + tolerance)
+      return {.fault = WitnessFault{"a normal from B to A", 2 * deepest.depth}};
+    if (parted.fault)
+      parted.fault->what =
+          beside("a depth that does not part the two") + "; they are " + parted.fault->what;
+    if (parted.fault || !parted.unjudged.empty()) return parted;
+  }
+  return review_least(a, b, way, truth);
 }
 
 /// How far a point is off the surface, inside or outside.
@@ -159,15 +165,6 @@ double needed_along(const PlacedBody& a, const PlacedBody& b, const Vector3d& n)
   return support_along(a.shape, a.pose, n) + support_along(b.shape, b.pose, -n);
 }
 
-double shared_depth(const PlacedBody& a, const PlacedBody& b) {
-  const Manifold contacts = find_contacts({a.shape, a.pose}, {b.shape, b.pose});
-  if (contacts.empty()) return -1;
-  Vector3d middle(0, 0, 0);  // of points that may lie on edges of one of the two
-  for (const ShapeContact& contact : contacts)
-    middle += contact.point / static_cast<double>(contacts.size());
-  return -std::max(outside_by(a.shape, a.pose, middle), outside_by(b.shape, b.pose, middle));
-}
-
 double parting_tolerance(const PlacedBody& a, const PlacedBody& b, bool is_graze) {
   const double size = smaller_size(a, b);
   return size * (is_graze ? kExtentTolerance + kSearchTolerance : kOthersTolerance) +
@@ -175,9 +172,9 @@ double parting_tolerance(const PlacedBody& a, const PlacedBody& b, bool is_graze
 }
 
 PartsReview review_manifold(const PlacedBody& a, const PlacedBody& b,
-                            const std::vector<CaseShapeContact>& contacts) {
+                            const std::vector<CaseShapeContact>& contacts, std::string& truth) {
   if (contacts.empty()) return {};
-  const bool has_mesh = is(a, ShapeKind::Mesh) || is(b, ShapeKind::Mesh);
+  const bool has_mesh = is_surface(a) || is_surface(b);
   if (Fault fault = fault_of_list(contacts, !has_mesh)) return {.fault = fault};
   const double size = smaller_size(a, b);
   const double slack =
@@ -194,12 +191,19 @@ PartsReview review_manifold(const PlacedBody& a, const PlacedBody& b,
   if (has_mesh) return {.unjudged = "normals and depths"};
   const double tolerance = slack + kExtentTolerance * extent_of(contacts);
   if (Fault fault = fault_of_parting(a, b, contacts, tolerance)) return {.fault = fault};
-  return most_off > beside ? PartsReview{.unjudged = "where its points are, to a part in 16"}
-                           : PartsReview{};
+  const CaseShapeContact& deepest = contacts.front();
+  const WayOut way{deepest.normal, deepest.depth, parting_tolerance(a, b, true)};
+  PartsReview review = review_least(a, b, way, truth);
+  if (!review.fault && most_off > beside) {
+    const std::string points = "where its points are, to a part in 16";
+    review.unjudged = review.unjudged.empty() ? points : points + ", and " + review.unjudged;
+  }
+  return review;
 }
 
 PartsReview review_others_contacts(const PlacedBody& a, const PlacedBody& b,
-                                   const std::vector<CaseShapeContact>& contacts) {
+                                   const std::vector<CaseShapeContact>& contacts,
+                                   std::string& truth) {
   if (contacts.empty()) return {};
   const double tolerance = parting_tolerance(a, b, false);
   const CaseShapeContact* deepest = contacts.data();
@@ -216,9 +220,8 @@ PartsReview review_others_contacts(const PlacedBody& a, const PlacedBody& b,
     }
     if (c.depth > deepest->depth) deepest = &c;
   }
-  if (is(a, ShapeKind::Mesh) || is(b, ShapeKind::Mesh)) return {.unjudged = "normals and depths"};
-  if (Fault fault = fault_of_others_parting(a, b, *deepest, tolerance)) return {.fault = fault};
-  return {};
+  if (is_surface(a) || is_surface(b)) return {.unjudged = "normals and depths"};
+  return review_others_parting(a, b, *deepest, tolerance, truth);
 }
 
 }  // namespace graze::compare

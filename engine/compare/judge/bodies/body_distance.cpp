@@ -1,6 +1,9 @@
 #include <graze/engine/compare/judge/bodies/body_judges.h>
+#include <graze/engine/compare/judge/bodies/body_parting.h>
 #include <graze/engine/compare/judge/bodies/distance_bounds.h>
+#include <graze/engine/compare/judge/bodies/least_parting.h>
 #include <graze/engine/compare/judge/bodies/shape_bodies.h>
+#include <graze/engine/compare/judge/rational/in_metres.h>
 #include <graze/engine/world/shape_pairs.h>
 
 #include <algorithm>
@@ -39,6 +42,20 @@ PartsReview review_number(const PlacedBody& a, const PlacedBody& b, double claim
   return {.unjudged = beside("that nothing is nearer")};
 }
 
+/// A number below zero claims a touch, and by engines that say more, how deep it is: what they mean
+/// by that is theirs to say, so that another depth than the least is not judged wrong.
+PartsReview review_below_zero(const PlacedBody& a, const PlacedBody& b, double depth) {
+  if (depth == 1) return {};  // no number at all
+  if (is_surface(a) || is_surface(b)) return {.unjudged = "how deep"};
+  const double tolerance = parting_tolerance(a, b, false);
+  const std::optional<LeastParting> shortest =
+      least_parting(a, b, Eigen::Vector3d::UnitX(), tolerance / 4);
+  if (!shortest) return {.unjudged = "how deep"};
+  if (depth <= shortest->least + tolerance && depth >= shortest->most - tolerance) return {};
+  return {.unjudged = "how deep" + in_metres(": a plane parts them after", shortest->most) +
+                      in_metres(", and none before", std::max(shortest->least, 0.0))};
+}
+
 }  // namespace
 
 PartsReview review_distance(const PlacedBody& a, const PlacedBody& b, const CaseAnswer& answer,
@@ -48,7 +65,7 @@ PartsReview review_distance(const PlacedBody& a, const PlacedBody& b, const Case
   };
   const double claimed = *answer.distance;
   if (claimed < 0 && is_graze) return fault("a distance below zero", -claimed);
-  if (claimed < 0) return claimed == -1 ? PartsReview{} : PartsReview{.unjudged = "how deep"};
+  if (claimed < 0) return review_below_zero(a, b, -claimed);
   const double largest = std::max(largest_of(a), largest_of(b));
   const double slack = kTouchUlps * 0x1p-52 * largest;
   const bool has_ended = answer.is_converged.value_or(true);

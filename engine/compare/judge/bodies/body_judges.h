@@ -12,25 +12,28 @@ namespace graze::compare {
 
 /// The contacts of two bodies that hit, as find_contacts() of shapes promises them. Of two convex
 /// bodies a plane across the common normal must part them once B is moved by the greatest depth,
-/// and not much sooner; and points lie midway between the surfaces. Of meshes the normals and
-/// depths are not judged.
+/// and not much sooner; that depth is the least of all directions, by least_parting(), whose bounds
+/// the truth gets; and points lie midway between the surfaces. Of meshes and height fields the
+/// normals and depths are not judged.
 PartsReview review_manifold(const PlacedBody& a, const PlacedBody& b,
-                            const std::vector<CaseShapeContact>& contacts);
+                            const std::vector<CaseShapeContact>& contacts, std::string& truth);
 
 /// The same of another engine, which promises less: any number of contacts in any order, each with
 /// a unit normal and a point as near to both as it is deep. Moved by the depth of the deepest along
-/// its normal B shares no point with A that is below both surfaces, and the depth is no more than
-/// what lets a plane across the normal part them. All to kOthersTolerance of the smaller size, as
-/// engines compute partly in float.
+/// its normal B is apart from A, and the depth is no more than what lets a plane across the normal
+/// part them, and the least of all directions: what is longer is ErrorClass::NotLeast. All to
+/// kOthersTolerance of the smaller size, as engines compute partly in float.
 PartsReview review_others_contacts(const PlacedBody& a, const PlacedBody& b,
-                                   const std::vector<CaseShapeContact>& contacts);
+                                   const std::vector<CaseShapeContact>& contacts,
+                                   std::string& truth);
 
 /// The distance of two bodies: two balls, or a mesh and a mesh or a ball, exactly; else by proof.
 /// The points are on the surfaces and so far apart: no less is claimed than is true. A plane across
 /// the normal, or across the segment between the points, has the two so far on different sides: no
 /// more is claimed. Of a number alone the library proposes both, and the words have both bounds.
 /// Where that proves nothing, as of a mesh and what is not flat, the distance from below is not
-/// judged. A negative one of another engine claims a touch: how deep is not judged, but of -1.
+/// judged. A negative one of another engine claims a touch: how deep is right to say of two convex
+/// shapes, to parting_tolerance(); -1 is right of all, and no other depth is judged.
 PartsReview review_distance(const PlacedBody& a, const PlacedBody& b, const CaseAnswer& answer,
                             bool is_graze);
 

@@ -1,20 +1,41 @@
 #pragma once
 
+#include <graze/engine/compare/judge/meshes/parts_review.h>
 #include <graze/engine/compare/judge/shape_judge.h>
 
+#include <string>
+
 namespace graze::compare {
+
+/// A mesh or a height field, which other ways lead out of than out of its hull.
+bool is_surface(const PlacedBody& body);
 
 /// How far B must go along a unit direction until a plane across it parts the two, metres; below 0
 /// if one does already.
 double needed_along(const PlacedBody& a, const PlacedBody& b, const Eigen::Vector3d& n);
 
-/// A lower bound of how deep the two are in each other, metres: how far below both surfaces a point
-/// lies that they share. Below 0 where the library finds no such point.
-double shared_depth(const PlacedBody& a, const PlacedBody& b);
-
 /// How far a depth may be from what parts the two, metres: for graze what find_contacts() grants
 /// itself, with contacts as far apart as the smaller shape; for others, which compute partly in
 /// float, 1e-5 of its size.
 double parting_tolerance(const PlacedBody& a, const PlacedBody& b, bool is_graze);
+
+/// A translation of B that is said to part the two: its direction, of any length but zero, and its
+/// length and how far off that may be, metres.
+struct WayOut {
+  Eigen::Vector3d direction;
+  double length = 0;
+  double tolerance = 0;
+};
+
+/// Whether the two are apart, or merely touch, where B has gone: if not, they must go as far as the
+/// shortest way out is from there.
+PartsReview review_parted(const PlacedBody& a, const PlacedBody& b, const WayOut& way);
+
+/// Whether another direction would do sooner, by least_parting(), and of two convex bodies whether
+/// none leads out so soon. Of two boxes a twentieth more is granted. Adds both bounds to the truth;
+/// what parts the hulls of surfaces parts the surfaces, but that nothing does sooner it does not
+/// prove. What is too long is ErrorClass::NotLeast.
+PartsReview review_least(const PlacedBody& a, const PlacedBody& b, const WayOut& way,
+                         std::string& truth);
 
 }  // namespace graze::compare

@@ -21,31 +21,12 @@ constexpr double kBoxGrant = 0.05;
 /// So near, of what is granted, the bounds of a shortest way are looked for.
 constexpr double kShareOfTolerance = 0.25;
 
-bool is_surface(const PlacedBody& body) {
-  return body.shape.kind() == ShapeKind::Mesh || body.shape.kind() == ShapeKind::HeightField;
-}
-
 bool is_box(const PlacedBody& body) {
   return body.shape.kind() == ShapeKind::Box;
 }
 
 PartsReview fault(const char* what, double error) {
   return {.fault = WitnessFault{what, error}};
-}
-
-/// Whether the two are apart, or merely touch, where B has gone: if not, they must go as far as the
-/// shortest way out is from there.
-PartsReview review_parted(const PlacedBody& a, const PlacedBody& b, const Eigen::Vector3d& by,
-                          double tolerance) {
-  Pose moved = b.pose;
-  moved.translation() += by;
-  const std::optional<LeastParting> left =
-      least_parting(a, {b.shape, moved}, by, kShareOfTolerance * tolerance);
-  if (!left) return {.unjudged = "that they are apart after it"};
-  if (left->least > tolerance) return fault("still a hit after it", left->least);
-  if (left->most <= tolerance) return {};
-  return {.unjudged = "that they are apart after it" +
-                      in_metres(": a plane parts them after another", left->most)};
 }
 
 /// Of two that meet, or may.
@@ -58,29 +39,7 @@ PartsReview review_length(const PlacedBody& a, const PlacedBody& b, const Eigen:
       return fault("longer than it must be along its own way", length - needed);
     if (needed <= length + tolerance) return {};
   }
-  return review_parted(a, b, by, tolerance);
-}
-
-/// Whether another direction would do sooner. What parts the hulls of surfaces parts the surfaces;
-/// that nothing does sooner it does not prove.
-PartsReview review_shortest(const PlacedBody& a, const PlacedBody& b, const Eigen::Vector3d& by,
-                            double tolerance, std::string& truth) {
-  const double length = by.norm();
-  const std::optional<LeastParting> shortest =
-      least_parting(a, b, by, kShareOfTolerance * tolerance);
-  if (!shortest) return {.unjudged = "whether a shorter one does"};
-  const bool are_bodies = !is_surface(a) && !is_surface(b);
-  const double granted = tolerance + (is_box(a) && is_box(b) ? kBoxGrant * length : 0);
-  const double most = std::max(shortest->most, 0.0);
-  const double least = are_bodies ? std::max(shortest->least, 0.0) : 0;
-  if (length > most + granted)
-    return {.fault =
-                WitnessFault{"a shorter one does" + in_metres(": a plane parts them after", most),
-                             length - most}};
-  truth += in_metres("; a plane parts them after", most);
-  if (are_bodies) truth += in_metres(", and none before", least);
-  if (length <= least + granted) return {};
-  return {.unjudged = "whether a shorter one does"};
+  return review_parted(a, b, {by, length, tolerance});
 }
 
 /// A surface that is led out of another is apart by the referee, or by a proof.
@@ -108,6 +67,49 @@ std::optional<bool> known_hit(const PlacedBody& a, const PlacedBody& b) {
 
 }  // namespace
 
+bool is_surface(const PlacedBody& body) {
+  return body.shape.kind() == ShapeKind::Mesh || body.shape.kind() == ShapeKind::HeightField;
+}
+
+PartsReview review_parted(const PlacedBody& a, const PlacedBody& b, const WayOut& way) {
+  Pose moved = b.pose;
+  if (way.length > 0) moved.translation() += way.length * way.direction.normalized();
+  const std::optional<LeastParting> left =
+      least_parting(a, {b.shape, moved}, way.direction, kShareOfTolerance * way.tolerance);
+  if (!left) return {.unjudged = "that they are apart after it"};
+  if (left->least > way.tolerance) {
+    return {.fault = WitnessFault{"still a hit after it" +
+                                      in_metres(": a plane parts them after another", left->most) +
+                                      in_metres(", and none before", left->least),
+                                  left->least}};
+  }
+  if (left->most <= way.tolerance) return {};
+  return {.unjudged = "that they are apart after it" +
+                      in_metres(": a plane parts them after another", left->most)};
+}
+
+PartsReview review_least(const PlacedBody& a, const PlacedBody& b, const WayOut& way,
+                         std::string& truth) {
+  const std::optional<LeastParting> shortest =
+      least_parting(a, b, way.direction, kShareOfTolerance * way.tolerance);
+  if (!shortest) return {.unjudged = "whether a shorter one does"};
+  const bool are_bodies = !is_surface(a) && !is_surface(b);
+  const double granted = way.tolerance + (is_box(a) && is_box(b) ? kBoxGrant * way.length : 0);
+  const double most = std::max(shortest->most, 0.0);
+  const double least = are_bodies ? std::max(shortest->least, 0.0) : 0;
+  std::string bounds = in_metres("a plane parts them after", most);
+  if (are_bodies) bounds += in_metres(", and none before", least);
+  if (way.length > most + granted) {
+    return {
+        .fault = WitnessFault{in_metres("a way out of", way.length) + ", not the least: " + bounds,
+                              way.length - most},
+        .error_class = ErrorClass::NotLeast};
+  }
+  truth += "; " + bounds;
+  if (way.length <= least + granted) return {};
+  return {.unjudged = "whether a shorter one does"};
+}
+
 Judgement judge_separation(const PlacedBody& a, const PlacedBody& b, std::optional<bool> is_hit,
                            const CaseAnswer& answer, bool is_graze) {
   Judgement judgement;
@@ -131,7 +133,7 @@ Judgement judge_separation(const PlacedBody& a, const PlacedBody& b, std::option
                         : review_surfaces(a, b, *answer.translation, tolerance);
     if (!review.fault && review.unjudged.empty()) {
       judgement.truth += ", apart after it";
-      review = review_shortest(a, b, *answer.translation, tolerance, judgement.truth);
+      review = review_least(a, b, {*answer.translation, length, tolerance}, judgement.truth);
     }
   }
   add_review(judgement, review, 1);

@@ -12,8 +12,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Triangles of directions that are divided: of coaxial round shapes, which are as wide whichever
-/// way one turns, no number is enough. Of many corners fewer.
+/// Triangles of directions that are divided: of shapes that are about as wide whichever way one
+/// turns no number is enough. Of many corners fewer.
 constexpr std::size_t kMostDivisions = std::size_t{1} << 14;
 constexpr std::size_t kMostCorners = std::size_t{1} << 22;  // that are looked through for these
 constexpr std::size_t kLeastDivisions = 64;
@@ -95,32 +95,42 @@ struct Look {
   double way() const { return n.dot(point); }
 };
 
-/// Directions that are positive sums of three.
+/// Directions that are positive sums of three, or in a plane of two.
+template <std::size_t N>
 struct Patch {
-  std::array<Look, 3> corners;
+  std::array<Look, N> corners;
   double bound;  ///< no direction of it has a shorter way
 };
 
+/// A unit vector is a sum of the corners whose weights add up to one or more, and to no more than
+/// one over this.
+double flatness(const std::array<Look, 3>& corners) {
+  const Vector3d& u = corners[0].n;
+  const Vector3d across = (corners[1].n - u).cross(corners[2].n - u);
+  return std::abs(across.dot(u)) / across.norm();
+}
+double flatness(const std::array<Look, 2>& corners) {
+  return (corners[0].n + corners[1].n).norm() / 2;
+}
+
+/// N is 3 for all directions, and 2 for those of a half-plane.
+template <std::size_t N>
 class Search {
  public:
   Search(const PlacedBody& a, const PlacedBody& b) : a_(a), b_(b) {}
 
-  LeastParting run(const Vector3d& proposed, double tolerance) {
-    look(proposed.normalized());
-    for (const PlacedBody* body : {&a_, &b_}) {
-      for (int axis = 0; axis < 3; ++axis) {
-        look(body->pose.linear().col(axis).normalized());
-        look(-body->pose.linear().col(axis).normalized());
-      }
-    }
-    for (int octant = 0; octant < 8; ++octant) {
-      std::array<Look, 3> corners;
-      for (int axis = 0; axis < 3; ++axis) {
-        const double side = (octant >> axis & 1) == 0 ? 1 : -1;
-        corners[static_cast<std::size_t>(axis)] = look(side * Vector3d::Unit(axis));
-      }
-      add(corners, -std::numeric_limits<double>::infinity());
-    }
+  Look look(const Vector3d& n) {
+    Look seen{n, far_point(a_, n) - far_point(b_, -n)};
+    if (best_.n.isZero() || seen.way() < best_.way()) best_ = seen;
+    return seen;
+  }
+
+  /// All directions of it are to be looked through.
+  void add(const std::array<Look, N>& corners) {
+    add(corners, -std::numeric_limits<double>::infinity());
+  }
+
+  LeastParting run(double tolerance) {
     const std::size_t corners = corner_count(a_.shape) + corner_count(b_.shape);
     const std::size_t most = std::clamp(kMostCorners / corners, kLeastDivisions, kMostDivisions);
     for (std::size_t i = 0; i < most && patches_.front().bound < best_.way() - tolerance; ++i)
@@ -129,50 +139,134 @@ class Search {
   }
 
  private:
-  Look look(const Vector3d& n) {
-    Look seen{n, far_point(a_, n) - far_point(b_, -n)};
-    if (best_.n.isZero() || seen.way() < best_.way()) best_ = seen;
-    return seen;
-  }
-
-  static bool is_later(const Patch& p, const Patch& q) { return p.bound > q.bound; }
+  static bool is_later(const Patch<N>& p, const Patch<N>& q) { return p.bound > q.bound; }
 
   /// What holds of all of it holds of its parts.
-  void add(const std::array<Look, 3>& corners, double bound_of_all) {
-    const Vector3d& u = corners[0].n;
-    const Vector3d across = (corners[1].n - u).cross(corners[2].n - u);
-    // A unit vector is a sum of the corners whose weights add up to one or more, and to no more
-    // than one over this.
-    const double flat = std::abs(across.dot(u)) / across.norm();
+  void add(const std::array<Look, N>& corners, double bound_of_all) {
+    const double flat = flatness(corners);
     double bound = bound_of_all;
-    const auto middle = look((u + corners[1].n + corners[2].n).normalized());
-    for (const Look* each : {&corners[0], &corners[1], &corners[2], &middle}) {
+    Vector3d sum = Vector3d::Zero();
+    for (const Look& corner : corners)
+      sum += corner.n;
+    const auto better_by = [&](const Look& each) {
       double least = std::numeric_limits<double>::infinity();
       for (const Look& corner : corners)
-        least = std::min(least, each->point.dot(corner.n));
+        least = std::min(least, each.point.dot(corner.n));
       bound = std::max(bound, least < 0 ? least / flat : least);
-    }
+    };
+    for (const Look& corner : corners)
+      better_by(corner);
+    better_by(look(sum.normalized()));
     patches_.push_back({corners, bound});
     std::push_heap(patches_.begin(), patches_.end(), is_later);
   }
 
   void divide_first() {
     std::pop_heap(patches_.begin(), patches_.end(), is_later);
-    const Patch patch = patches_.back();
+    const Patch<N> patch = patches_.back();
     patches_.pop_back();
-    std::array<Look, 3> between;
-    for (std::size_t i = 0; i < 3; ++i)
-      between[i] = look((patch.corners[i].n + patch.corners[(i + 1) % 3].n).normalized());
-    for (std::size_t i = 0; i < 3; ++i)
-      add({patch.corners[i], between[i], between[(i + 2) % 3]}, patch.bound);
-    add(between, patch.bound);
+    if constexpr (N == 2) {
+      const Look middle = look((patch.corners[0].n + patch.corners[1].n).normalized());
+      add({patch.corners[0], middle}, patch.bound);
+      add({middle, patch.corners[1]}, patch.bound);
+    } else {
+      std::array<Look, 3> between;
+      for (std::size_t i = 0; i < 3; ++i)
+        between[i] = look((patch.corners[i].n + patch.corners[(i + 1) % 3].n).normalized());
+      for (std::size_t i = 0; i < 3; ++i)
+        add({patch.corners[i], between[i], between[(i + 2) % 3]}, patch.bound);
+      add(between, patch.bound);
+    }
   }
 
   PlacedBody a_;
   PlacedBody b_;
   Look best_{Vector3d::Zero(), Vector3d::Zero()};
-  std::vector<Patch> patches_;  ///< a heap: the least bound first
+  std::vector<Patch<N>> patches_;  ///< a heap: the least bound first
 };
+
+LeastParting over_all_directions(const PlacedBody& a, const PlacedBody& b, const Vector3d& proposed,
+                                 double tolerance) {
+  Search<3> search(a, b);
+  search.look(proposed.normalized());
+  for (const PlacedBody* body : {&a, &b}) {
+    for (int axis = 0; axis < 3; ++axis) {
+      search.look(body->pose.linear().col(axis).normalized());
+      search.look(-body->pose.linear().col(axis).normalized());
+    }
+  }
+  for (int octant = 0; octant < 8; ++octant) {
+    std::array<Look, 3> corners;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double side = (octant >> axis & 1) == 0 ? 1 : -1;
+      corners[static_cast<std::size_t>(axis)] = search.look(side * Vector3d::Unit(axis));
+    }
+    search.add(corners);
+  }
+  return search.run(tolerance);
+}
+
+/// A shape that may turn about a line, in the frame of the world.
+struct RoundBody {
+  Vector3d middle;               ///< on the line
+  std::optional<Vector3d> axis;  ///< unit; none: it may turn about any line through its middle
+  double reach;                  ///< no point of it is farther from the middle
+};
+
+/// Without its radius, as far_point() has it.
+std::optional<RoundBody> round_body(const PlacedBody& body) {
+  const auto about_z = [&](double reach) {
+    return RoundBody{body.pose.translation(), body.pose.linear().col(2).normalized(), reach};
+  };
+  if (const auto* s = body.shape.as<Sphere>()) return RoundBody{body.pose * s->centre, {}, 0};
+  if (const auto* s = body.shape.as<Capsule>()) return about_z(s->half_length);
+  if (const auto* s = body.shape.as<Cylinder>())
+    return about_z(std::hypot(s->radius, s->half_height));
+  if (const auto* s = body.shape.as<Cone>()) return about_z(std::hypot(s->radius, s->half_height));
+  const auto* s = body.shape.as<Ellipsoid>();
+  if (s == nullptr) return std::nullopt;
+  RoundBody found{body.pose * s->centre, {}, s->semi_axes.maxCoeff()};
+  for (int axis = 0; axis < 3; ++axis) {
+    if (s->semi_axes[(axis + 1) % 3] != s->semi_axes[(axis + 2) % 3]) continue;
+    if (s->semi_axes[axis] == s->semi_axes[(axis + 1) % 3]) return found;
+    found.axis = body.pose.linear().col(axis).normalized();
+    return found;
+  }
+  return std::nullopt;
+}
+
+/// The line about which two shapes may turn, and how far a point of B must move until that is
+/// exactly so.
+struct CommonAxis {
+  Vector3d along;
+  double off;
+};
+
+std::optional<CommonAxis> common_axis(const PlacedBody& a, const PlacedBody& b) {
+  const std::optional<RoundBody> round_a = round_body(a), round_b = round_body(b);
+  if (!round_a || !round_b) return std::nullopt;
+  const Vector3d between = round_b->middle - round_a->middle;
+  if (!round_a->axis && !round_b->axis)
+    return CommonAxis{between.isZero() ? Vector3d::UnitX() : between.normalized(), 0};
+  const Vector3d along = round_a->axis ? *round_a->axis : *round_b->axis;
+  double off = between.cross(along).norm();
+  if (round_b->axis) off += 2 * round_b->reach * round_b->axis->cross(along).norm();
+  return CommonAxis{along, off};
+}
+
+/// The same all around a line, so that the directions of a half-plane are enough. What a shape is
+/// off the line the bound is lower by, once for these and once for all others.
+LeastParting over_half_plane(const PlacedBody& a, const PlacedBody& b, const CommonAxis& axis,
+                             double tolerance) {
+  Search<2> search(a, b);
+  const Look out = search.look(axis.along), aside = search.look(axis.along.unitOrthogonal()),
+             back = search.look(-axis.along);
+  search.add({out, aside});
+  search.add({aside, back});
+  LeastParting found = search.run(tolerance);
+  found.least -= 2 * axis.off;
+  return found;
+}
 
 /// B leaves a half-space along its normal, and a plane along that or the other way.
 LeastParting out_of_flat(const PlacedBody& flat, const PlacedBody& other) {
@@ -197,7 +291,11 @@ std::optional<LeastParting> least_parting(const PlacedBody& a, const PlacedBody&
     return found;
   }
   const bool has_direction = proposed.squaredNorm() > 0 && proposed.allFinite();
-  LeastParting found = Search(a, b).run(has_direction ? proposed : Vector3d::UnitX(), tolerance);
+  const std::optional<CommonAxis> axis = common_axis(a, b);
+  LeastParting found =
+      axis && axis->off <= tolerance / 4
+          ? over_half_plane(a, b, *axis, tolerance / 2)
+          : over_all_directions(a, b, has_direction ? proposed : Vector3d::UnitX(), tolerance);
   const double radii = radius_of(a.shape) + radius_of(b.shape);
   found.least += radii;
   found.most += radii;

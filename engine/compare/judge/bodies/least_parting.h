@@ -20,9 +20,11 @@ struct LeastParting {
 /// the least of h over all directions. The sphere of directions is divided into triangles. Of each
 /// point p of the difference h(n) >= p . n, so that the least p . u over a triangle's corners u is
 /// a bound for all of it; the triangle of the least bound is divided, until that is near enough to
-/// the least h that was met. The radii of balls and capsules are added to what is within. A
-/// half-space and a plane leave their own directions alone. A mesh and a height field count as
-/// the hulls of their vertices: what parts these parts the surfaces, which may be parted sooner.
+/// the least h that was met. Of two round shapes about one line, but for a quarter of the
+/// tolerance, the directions of a half-plane are all, and arcs are divided. The radii of balls and
+/// capsules are added to what is within. A half-space and a plane leave their own directions alone.
+/// A mesh and a height field count as the hulls of their vertices: what parts these parts the
+/// surfaces, which may be parted sooner.
 ///
 /// `proposed` is a direction that may be good. In double, off by some ulp of the largest
 /// coordinate. Nothing of two half-spaces or planes.

@@ -184,13 +184,12 @@ const std::optional<Case>& ShapeJudge::as_case() const {
   return truth_->query;
 }
 
-Judgement ShapeJudge::judge(bool says, const CaseWitness& witness,
-                            const JudgeSettings& settings) const {
+Judgement ShapeJudge::judge(bool says, const CaseWitness& witness) const {
   const Truth& truth = *truth_;
   if (truth.is_of_meshes()) {
     CaseAnswer answer;
     answer.says = says;
-    return truth.judge->judge(answer, witness, settings);
+    return truth.judge->judge(answer, witness);
   }
   Judgement judgement;
   judgement.truth = "not proved";

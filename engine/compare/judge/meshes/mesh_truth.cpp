@@ -45,12 +45,11 @@ const MeshReferee::Gap& MeshTruth::gap(const std::optional<TrianglePair>& hint) 
 }
 
 /// Keeps the worst class, and of one class the largest error.
-void MeshTruth::add_error(Judgement& judgement, const TrianglePair& pair, bool is_a_hit,
-                          const JudgeSettings& settings) {
+void MeshTruth::add_error(Judgement& judgement, const TrianglePair& pair, bool is_a_hit) {
   // A claim of a touch where no surfaces meet.
   std::function<bool()> contained;
   if (!is_a_hit && !is_hit()) contained = [this] { return is_contained(); };
-  PairError error = pair_error(placed_a(), placed_b(), pair, is_a_hit, settings, contained);
+  PairError error = pair_error(placed_a(), placed_b(), pair, is_a_hit, contained);
   // Whether real numbers touch says nothing of whether they cross.
   const bool is_of_crossing = query_.settings.touch == Touch::Exclude;
   if (is_of_crossing && error.error_class == ErrorClass::PoseRounding)
@@ -77,12 +76,12 @@ bool MeshTruth::has_area(const TrianglePair& pair) const {
 
 /// The class and size of having overlooked all hits. Each pair alone gives a lower bound only: the
 /// error is how far B must be moved until none is left.
-void MeshTruth::add_missed_hit(Judgement& judgement, const JudgeSettings& settings) {
+void MeshTruth::add_missed_hit(Judgement& judgement) {
   const std::size_t examined = std::min(hits().size(), kMaxExamined);
   double ulp = 0;
   for (std::size_t i = 0; i < examined; ++i) {
     const TrianglePair& pair = hits()[i];
-    add_error(judgement, pair, true, settings);
+    add_error(judgement, pair, true);
     ulp = std::max(ulp, ulp_of(referee_.triangle_a(pair.a), referee_.triangle_b(pair.b)));
   }
   const bool are_triangles =
@@ -99,30 +98,29 @@ void MeshTruth::add_missed_hit(Judgement& judgement, const JudgeSettings& settin
   judgement.ulps = judgement.error / ulp;
   if (!length) {
     judgement.error_class = ErrorClass::Real;
-  } else if (judgement.error_class == ErrorClass::PoseRounding && !settings.ask_again &&
+  } else if (judgement.error_class == ErrorClass::PoseRounding &&
              !is_hit_by_placing(placed_a(), placed_b())) {
     judgement.error_class = ErrorClass::Touching;
   }
 }
 
-Judgement MeshTruth::judge_any(bool says, const JudgeSettings& settings) {
+Judgement MeshTruth::judge_any(bool says) {
   Judgement judgement;
   judgement.truth = is_hit() ? "hit" : "apart";
   judgement.verdict = says == is_hit() ? Verdict::Right : Verdict::Wrong;
   if (judgement.verdict == Verdict::Right) return judgement;
   if (is_hit()) {
-    add_missed_hit(judgement, settings);
+    add_missed_hit(judgement);
     return judgement;
   }
   const MeshReferee::Gap& nearest = gap(std::nullopt);
   judgement.truth = in_metres("apart by", rounded_root(nearest.square));
-  add_error(judgement, nearest.pair, false, settings);
+  add_error(judgement, nearest.pair, false);
   return judgement;
 }
 
 /// Any pairs do, if they are true and as many as the limit lets pass.
-Judgement MeshTruth::judge_cut_list(const std::vector<TrianglePair>& pairs,
-                                    const JudgeSettings& settings) {
+Judgement MeshTruth::judge_cut_list(const std::vector<TrianglePair>& pairs) {
   const std::size_t count = std::min<std::size_t>(*query_.settings.limit, hits().size());
   std::vector<TrianglePair> wrong;
   std::set_difference(pairs.begin(), pairs.end(), hits().begin(), hits().end(),
@@ -139,27 +137,26 @@ Judgement MeshTruth::judge_cut_list(const std::vector<TrianglePair>& pairs,
   judgement.wrong_pairs = wrong.size();
   for (std::size_t i = 0; i < std::min(wrong.size(), kMaxExamined); ++i) {
     const bool is_true = std::binary_search(hits().begin(), hits().end(), wrong[i]);
-    add_error(judgement, wrong[i], is_true, settings);
+    add_error(judgement, wrong[i], is_true);
   }
   return judgement;
 }
 
 /// Surfaces that share a point meet, and else one mesh is inside the other or none is.
-Judgement MeshTruth::judge_solid(bool says, const JudgeSettings& settings) {
-  if (is_hit()) return judge_any(says, settings);
+Judgement MeshTruth::judge_solid(bool says) {
+  if (is_hit()) return judge_any(says);
   const std::optional<bool> is_inside = is_one_inside(meshes_);
   Judgement judgement;
   if (!is_inside) return judgement;
-  if (!*is_inside) return judge_any(says, settings);
+  if (!*is_inside) return judge_any(says);
   const MeshReferee::Gap& nearest = gap(std::nullopt);
   judgement.truth = in_metres("one inside the other by", rounded_root(nearest.square));
   judgement.verdict = says ? Verdict::Right : Verdict::Wrong;
-  if (!says) add_error(judgement, nearest.pair, false, settings);
+  if (!says) add_error(judgement, nearest.pair, false);
   return judgement;
 }
 
-Judgement MeshTruth::judge_list(const std::vector<TrianglePair>& pairs,
-                                const JudgeSettings& settings) {
+Judgement MeshTruth::judge_list(const std::vector<TrianglePair>& pairs) {
   std::vector<TrianglePair> wrong;
   std::set_symmetric_difference(pairs.begin(), pairs.end(), hits().begin(), hits().end(),
                                 std::back_inserter(wrong));
@@ -168,12 +165,12 @@ Judgement MeshTruth::judge_list(const std::vector<TrianglePair>& pairs,
   judgement.verdict = wrong.empty() ? Verdict::Right : Verdict::Wrong;
   judgement.wrong_pairs = wrong.size();
   if (pairs.empty() && !hits().empty()) {  // that is to say that they are apart
-    add_missed_hit(judgement, settings);
+    add_missed_hit(judgement);
     return judgement;
   }
   for (std::size_t i = 0; i < std::min(wrong.size(), kMaxExamined); ++i) {
     const bool is_true = std::binary_search(hits().begin(), hits().end(), wrong[i]);
-    add_error(judgement, wrong[i], is_true, settings);
+    add_error(judgement, wrong[i], is_true);
   }
   return judgement;
 }
@@ -205,19 +202,18 @@ Judgement MeshTruth::judge_touch_claim(const MeshReferee::Gap& nearest) {
   return judgement;
 }
 
-Judgement MeshTruth::judge_contacts(const CaseAnswer& answer, const std::string& engine,
-                                    const JudgeSettings& settings) {
-  Judgement judgement = judge_any(!answer.contacts->empty(), settings);
+Judgement MeshTruth::judge_contacts(const CaseAnswer& answer, const std::string& engine) {
+  Judgement judgement = judge_any(!answer.contacts->empty());
   if (judgement.verdict == Verdict::Wrong || answer.contacts->empty()) return judgement;
   add_review(judgement, review_contacts(referee_, hits(), meshes_, *answer.contacts, engine),
              ulp());
   return judgement;
 }
 
-Judgement MeshTruth::judge_intersection(const CaseAnswer& answer, const JudgeSettings& settings) {
+Judgement MeshTruth::judge_intersection(const CaseAnswer& answer) {
   const bool is_empty =
       answer.intersection ? answer.intersection->points.empty() : answer.corners->empty();
-  Judgement judgement = judge_any(!is_empty, settings);
+  Judgement judgement = judge_any(!is_empty);
   if (judgement.verdict == Verdict::Wrong || is_empty) return judgement;
   add_review(judgement,
              answer.intersection
@@ -227,8 +223,7 @@ Judgement MeshTruth::judge_intersection(const CaseAnswer& answer, const JudgeSet
   return judgement;
 }
 
-Judgement MeshTruth::judge_distance(const CaseAnswer& answer, bool is_graze,
-                                    const JudgeSettings& settings) {
+Judgement MeshTruth::judge_distance(const CaseAnswer& answer, bool is_graze) {
   const MeshReferee::Gap& nearest = gap(answer.pair);
   const double claimed = *answer.distance;
   const bool claims_touch = claimed < 0 && !is_graze;
@@ -254,13 +249,13 @@ Judgement MeshTruth::judge_distance(const CaseAnswer& answer, bool is_graze,
     if (claimed != -1) add_review(judgement, {.unjudged = "how deep"}, ulp());
     return judgement;
   }
-  add_class(judgement, nearest, claimed <= 0, settings);
+  add_class(judgement, nearest, claimed <= 0);
   return judgement;
 }
 
 /// The class of a claim about the nearest pair, whose size is known.
-void MeshTruth::add_class(Judgement& judgement, const MeshReferee::Gap& nearest, bool claims_touch,
-                          const JudgeSettings& settings) {
+void MeshTruth::add_class(Judgement& judgement, const MeshReferee::Gap& nearest,
+                          bool claims_touch) {
   const bool is_touch = nearest.square == 0;
   judgement.culprit = nearest.pair;
   judgement.error_class = class_of_pair(
@@ -268,12 +263,12 @@ void MeshTruth::add_class(Judgement& judgement, const MeshReferee::Gap& nearest,
       judgement.ulps,
       [&] {
         return claims_touch != is_touch &&
-               is_due_to_placing(placed_a(), placed_b(), nearest.pair, is_touch, settings);
+               is_due_to_placing(placed_a(), placed_b(), nearest.pair, is_touch);
       },
       [&] { return claims_touch && !is_touch && is_contained(); });
 }
 
-Judgement MeshTruth::judge_within(bool says, bool is_graze, const JudgeSettings& settings) {
+Judgement MeshTruth::judge_within(bool says, bool is_graze) {
   const MeshReferee::Gap& nearest = gap(std::nullopt);
   const double clearance = query_.settings.clearance;
   const mpq_class square = mpq_class(clearance) * mpq_class(clearance);
@@ -288,29 +283,24 @@ Judgement MeshTruth::judge_within(bool says, bool is_graze, const JudgeSettings&
                         judgement.error <= distance_tolerance(nearest.pair, is_graze);
   judgement.verdict = is_right ? Verdict::Right : Verdict::Wrong;
   if (is_right) return judgement;
-  add_class(judgement, nearest, says, settings);
+  add_class(judgement, nearest, says);
   return judgement;
 }
 
-Judgement MeshTruth::judge(const CaseAnswer& answer, const CaseWitness& witness,
-                           const JudgeSettings& settings) {
+Judgement MeshTruth::judge(const CaseAnswer& answer, const CaseWitness& witness) {
   const bool is_graze = witness.engine == "graze";
   const bool lists_pairs = query_.ask == Ask::Pairs && answer.pairs;
   if (query_.ask == Ask::Any && answer.says) {
-    return is_solid(query_) ? judge_solid(*answer.says, settings)
-                            : judge_any(*answer.says, settings);
+    return is_solid(query_) ? judge_solid(*answer.says) : judge_any(*answer.says);
   }
   if (lists_pairs) {
-    return query_.settings.limit ? judge_cut_list(*answer.pairs, settings)
-                                 : judge_list(*answer.pairs, settings);
+    return query_.settings.limit ? judge_cut_list(*answer.pairs) : judge_list(*answer.pairs);
   }
-  if (query_.ask == Ask::Intersection) return judge_intersection(answer, settings);
+  if (query_.ask == Ask::Intersection) return judge_intersection(answer);
   if (query_.ask == Ask::Separation) return judge_separation(query_, meshes_, answer);
-  if (query_.ask == Ask::Distance) return judge_distance(answer, is_graze, settings);
-  if (query_.ask == Ask::Within && answer.says)
-    return judge_within(*answer.says, is_graze, settings);
-  if (query_.ask == Ask::Contacts && answer.contacts)
-    return judge_contacts(answer, witness.engine, settings);
+  if (query_.ask == Ask::Distance) return judge_distance(answer, is_graze);
+  if (query_.ask == Ask::Within && answer.says) return judge_within(*answer.says, is_graze);
+  if (query_.ask == Ask::Contacts && answer.contacts) return judge_contacts(answer, witness.engine);
   return {};
 }
 

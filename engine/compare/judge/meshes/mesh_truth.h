@@ -19,8 +19,7 @@ class MeshTruth {
   /// The case must outlive this.
   MeshTruth(const Case& the_query, const MeshCase& the_meshes);
 
-  Judgement judge(const CaseAnswer& answer, const CaseWitness& witness,
-                  const JudgeSettings& settings);
+  Judgement judge(const CaseAnswer& answer, const CaseWitness& witness);
 
  private:
   PlacedMeshView placed_a() const { return {meshes_.a.mesh, meshes_.a.pose}; }
@@ -30,25 +29,22 @@ class MeshTruth {
   bool is_hit();
   const MeshReferee::Gap& gap(const std::optional<TrianglePair>& hint);
 
-  Judgement judge_any(bool says, const JudgeSettings& settings);
-  void add_missed_hit(Judgement& judgement, const JudgeSettings& settings);
+  Judgement judge_any(bool says);
+  void add_missed_hit(Judgement& judgement);
   bool is_contained() const;
   bool has_area(const TrianglePair& pair) const;
-  Judgement judge_list(const std::vector<TrianglePair>& pairs, const JudgeSettings& settings);
-  Judgement judge_cut_list(const std::vector<TrianglePair>& pairs, const JudgeSettings& settings);
-  Judgement judge_distance(const CaseAnswer& answer, bool is_graze, const JudgeSettings& settings);
-  Judgement judge_contacts(const CaseAnswer& answer, const std::string& engine,
-                           const JudgeSettings& settings);
-  Judgement judge_intersection(const CaseAnswer& answer, const JudgeSettings& settings);
-  Judgement judge_solid(bool says, const JudgeSettings& settings);
+  Judgement judge_list(const std::vector<TrianglePair>& pairs);
+  Judgement judge_cut_list(const std::vector<TrianglePair>& pairs);
+  Judgement judge_distance(const CaseAnswer& answer, bool is_graze);
+  Judgement judge_contacts(const CaseAnswer& answer, const std::string& engine);
+  Judgement judge_intersection(const CaseAnswer& answer);
+  Judgement judge_solid(bool says);
   double ulp() const { return ulp_of(referee_.triangle_a(0), referee_.triangle_b(0)); }
   Judgement judge_touch_claim(const MeshReferee::Gap& nearest);
-  Judgement judge_within(bool says, bool is_graze, const JudgeSettings& settings);
-  void add_class(Judgement& judgement, const MeshReferee::Gap& nearest, bool claims_touch,
-                 const JudgeSettings& settings);
+  Judgement judge_within(bool says, bool is_graze);
+  void add_class(Judgement& judgement, const MeshReferee::Gap& nearest, bool claims_touch);
   double distance_tolerance(const TrianglePair& pair, bool is_graze) const;
-  void add_error(Judgement& judgement, const TrianglePair& pair, bool is_a_hit,
-                 const JudgeSettings& settings);
+  void add_error(Judgement& judgement, const TrianglePair& pair, bool is_a_hit);
 
   const Case& query_;
   MeshCase meshes_;

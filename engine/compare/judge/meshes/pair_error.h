@@ -24,17 +24,19 @@ ErrorClass class_of_pair(const RationalTriangle& a, const RationalTriangle& b, d
                          const std::function<bool()>& is_due_to_placing,
                          const std::function<bool()>& is_containment);
 
-/// Whether placing has changed the answer: the real numbers of the poses say otherwise, or the
-/// engine itself does once it has nothing to place.
+/// Whether placing may have changed the answer: it is another where the poses are real numbers, or
+/// where one of the two is brought into the other's frame in double, as engines do that make one
+/// pose of two. Nobody is asked, so that one answer has one class, whoever gave it and wherever it
+/// stands.
 bool is_due_to_placing(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b,
-                       const TrianglePair& pair, bool is_hit, const JudgeSettings& settings);
+                       const TrianglePair& pair, bool is_hit);
 
 /// `is_containment` as of class_of_pair().
 PairError pair_error(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b,
-                     const TrianglePair& pair, bool is_hit, const JudgeSettings& settings,
+                     const TrianglePair& pair, bool is_hit,
                      const std::function<bool()>& is_containment = {});
 
-/// Whether two meshes that hit do not where the poses are real numbers and nothing is rounded.
+/// Whether two meshes that hit do not in one of these ways of placing them.
 bool is_hit_by_placing(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b);
 
 /// The distance from the largest absolute coordinate of both to the next double.

@@ -13,13 +13,14 @@ namespace graze::compare {
 struct PartsReview {
   std::optional<WitnessFault> fault = {};
   std::string unjudged = {};
+  ErrorClass error_class = ErrorClass::Real;  ///< of the fault
 };
 
 /// Puts it into the judgement on the answer as a whole, which is right or not judged so far.
 inline void add_review(Judgement& judgement, const PartsReview& review, double ulp) {
   if (review.fault) {
     judgement.verdict = Verdict::Wrong;
-    judgement.error_class = ErrorClass::Real;
+    judgement.error_class = review.error_class;
     judgement.truth += ", but " + review.fault->what;
     judgement.error = review.fault->error;
     judgement.ulps = review.fault->error / ulp;

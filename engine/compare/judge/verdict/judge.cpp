@@ -34,19 +34,26 @@ bool has_no_least_depth(const PlacedBody& a, const PlacedBody& b) {
 }
 
 PartsReview review_distance_or_contacts(const PlacedBody& a, const PlacedBody& b, const Case& query,
-                                        const CaseAnswer& answer, bool is_graze) {
+                                        const CaseAnswer& answer, bool is_graze,
+                                        std::string& truth) {
   if (query.ask == Ask::Distance) return review_distance(a, b, answer, is_graze);
-  return is_graze ? review_manifold(a, b, *answer.manifold)
-                  : review_others_contacts(a, b, *answer.manifold);
+  return is_graze ? review_manifold(a, b, *answer.manifold, truth)
+                  : review_others_contacts(a, b, *answer.manifold, truth);
+}
+
+/// Small errors are of tolerance, whatever was found.
+ErrorClass class_of(const ShapeJudge& judge, const Judgement& judgement) {
+  const ErrorClass by_size = judge.class_of(judgement.error);
+  return by_size == ErrorClass::Real ? judgement.error_class : by_size;
 }
 
 /// Whether they meet, and if that is right or not judged, what else is said of them.
 Judgement judge_bodies(const ShapeJudge& judge, const Case& query, const CaseAnswer& answer,
-                       const CaseWitness& witness, const JudgeSettings& settings) {
+                       const CaseWitness& witness) {
   const BodyCase pair = *as_bodies(query);
   const PlacedBody a{pair.a.shape, pair.a.pose};
   const PlacedBody b{pair.b.shape, pair.b.pose};
-  if (query.ask == Ask::Any && answer.says) return judge.judge(*answer.says, witness, settings);
+  if (query.ask == Ask::Any && answer.says) return judge.judge(*answer.says, witness);
   const bool is_graze = witness.engine == "graze";
   if (query.ask == Ask::Within && answer.says) {
     Judgement judgement = judge_within(a, b, judge.is_hit(), query, *answer.says, is_graze);
@@ -62,19 +69,19 @@ Judgement judge_bodies(const ShapeJudge& judge, const Case& query, const CaseAns
           "not judged: a way out of which the library says that it may not be the least";
     }
     judgement.ulps = judgement.error / judge.ulp();
-    judgement.error_class = judge.class_of(judgement.error);
+    judgement.error_class = class_of(judge, judgement);
     return judgement;
   }
   const bool is_of_contacts = query.ask == Ask::Contacts && answer.manifold;
   if (!is_of_contacts && query.ask != Ask::Distance) return {};
   const bool says = is_of_contacts ? !answer.manifold->empty() : *answer.distance <= 0;
-  Judgement judgement = judge.judge(says, witness, settings);
+  Judgement judgement = judge.judge(says, witness);
   if (judgement.verdict == Verdict::Wrong) return judgement;
-  PartsReview review = review_distance_or_contacts(a, b, query, answer, is_graze);
+  PartsReview review = review_distance_or_contacts(a, b, query, answer, is_graze, judgement.truth);
   const bool is_excused = review.fault && is_of_contacts && is_graze && has_no_least_depth(a, b);
   if (is_excused) review = {.unjudged = "contacts whose least depth the library did not find"};
   add_review(judgement, review, judge.ulp());
-  if (judgement.verdict == Verdict::Wrong) judgement.error_class = judge.class_of(judgement.error);
+  if (judgement.verdict == Verdict::Wrong) judgement.error_class = class_of(judge, judgement);
   return judgement;
 }
 
@@ -102,8 +109,7 @@ struct Judge::Truth {
 Judge::Judge(const Case& query) : truth_(std::make_unique<Truth>(query)) {}
 Judge::~Judge() = default;
 
-Judgement Judge::judge(const CaseAnswer& answer, const CaseWitness& witness,
-                       const JudgeSettings& settings) const {
+Judgement Judge::judge(const CaseAnswer& answer, const CaseWitness& witness) const {
   const bool is_graze = witness.engine == "graze";
   const Case& query = truth_->query;
   if (const std::optional<std::string> fault = fault_of_answer(query, answer)) {
@@ -115,9 +121,9 @@ Judgement Judge::judge(const CaseAnswer& answer, const CaseWitness& witness,
   }
   if (query.ask == Ask::Contains) return judge_contains(query, *answer.says);
   if (truth_->motions) return truth_->motions->judge(answer, is_graze);
-  if (truth_->bodies) return judge_bodies(*truth_->bodies, query, answer, witness, settings);
+  if (truth_->bodies) return judge_bodies(*truth_->bodies, query, answer, witness);
   if (!truth_->meshes) return judge_volumes(query, answer, is_graze);
-  return truth_->meshes->judge(answer, witness, settings);
+  return truth_->meshes->judge(answer, witness);
 }
 
 const char* name_of(Verdict verdict) {
@@ -126,8 +132,8 @@ const char* name_of(Verdict verdict) {
 }
 
 const char* name_of(ErrorClass error_class) {
-  constexpr std::array kNames = {"touching",    "pose rounding", "coplanar",    "degenerate",
-                                 "containment", "real",          "engine error"};
+  constexpr std::array kNames = {"touching",  "pose rounding", "coplanar", "degenerate",
+                                 "not least", "containment",   "real",     "engine error"};
   return kNames[static_cast<std::size_t>(error_class)];
 }
 

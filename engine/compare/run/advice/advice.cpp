@@ -159,6 +159,12 @@ void add_of_class(const WrongKind& kind, const Seen& seen, Advice& advice) {
                  "Triangles without area mislead it" + (which.empty() ? "" : ": " + which) +
                      ". Remove them, or mend the mesh: graze info --check MESH names all of them.");
     }
+    case ErrorClass::NotLeast:
+      return add(Remedy::Question,
+                 "What it calls the depth does part the two, but a shorter way does, " +
+                     sizes(kind) +
+                     ": not every engine means the least depth of all directions. See what the "
+                     "makers of this one promise, and ask for the least where you need it.");
     case ErrorClass::Containment:
       return add(Remedy::Question,
                  "The surfaces do not meet, and one closed mesh lies inside the other: another "
@@ -225,7 +231,9 @@ Advice advise(const WrongKind& kind) {
         {Remedy::Report,
          (is_real ? "Off " + sizes(kind) + ", and no rounding of the input " +
                         (seen.explained > 0 ? "explains all of them" : "explains it")
-                  : std::string("Tell those who make ") + kind.engine) +
+                  : std::string("Tell those who make ") + kind.engine +
+                        (kind.error_class == ErrorClass::NotLeast ? ", if they promise the least"
+                                                                  : "")) +
              (is_real ? ": a bug to report" : "") +
              (advice.issue.empty() ? "." : "; the text of an issue is ready.")});
   }

@@ -176,8 +176,8 @@ class PlantedEngine : public CommandTest {
     EXPECT_EQ(engine["wrong"], real + engine_errors);
     EXPECT_EQ(engine["real"], real);
     EXPECT_EQ(engine["engine_error"], engine_errors);
-    for (const char* none :
-         {"touching", "pose_rounding", "coplanar", "degenerate", "containment", "not_confirmed"})
+    for (const char* none : {"touching", "pose_rounding", "coplanar", "degenerate", "not_least",
+                             "containment", "not_confirmed"})
       EXPECT_EQ(engine[none], 0) << none;
   }
 
