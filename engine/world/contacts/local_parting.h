@@ -26,14 +26,21 @@ struct LocalParting {
 /// way.
 inline constexpr double kNearlyFacing = 0.99;
 
+/// How the way off a triangle is chosen.
+struct PartingSettings {
+  /// An edge or a corner is left instead of the face where that is shorter than this share of it.
+  double face_share = 1;
+};
+
 /// For triangles that touch the body and are no slivers. The directions that features face are
 /// local maxima of the mesh, so that what is around the triangle is left as well. The body may be
 /// taken off the end of an edge that it has passed, and out of a flat face only along its normal:
 /// so edges within a flat face mean nothing.
 class LocalPartings {
  public:
-  LocalPartings(const narrowphase::Core& core, const FacingFeatures& features)
-      : core_(core), features_(features) {}
+  LocalPartings(const narrowphase::Core& core, const FacingFeatures& features,
+                const PartingSettings& settings = {})
+      : core_(core), features_(features), settings_(settings) {}
 
   LocalParting of(std::uint32_t index, const narrowphase::Core& triangle) const;
   /// The same, where the core's support point against the triangle's unit normal is known.
@@ -52,6 +59,7 @@ class LocalPartings {
  private:
   const narrowphase::Core& core_;
   const FacingFeatures& features_;
+  PartingSettings settings_;
 };
 
 }  // namespace graze

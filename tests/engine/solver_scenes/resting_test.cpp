@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <string_view>
 
 #include "samples/simulation/scenes/judgement.h"
@@ -16,12 +15,10 @@ namespace {
 
 constexpr Surface kBoth[] = {Surface::Analytic, Surface::Mesh};
 
-/// Scenes of meshes that rest in this build, but not in each in which bodies begin a billionth of a
-/// metre elsewhere: where the contacts chosen of two meshes change from step to step, it takes
-/// seconds to come to rest. They must not fly nor make energy.
-constexpr std::string_view kSometimesRestless[] = {"stack.hull.mesh", "stack.mixed",
-                                                   "pyramid.hull.mesh", "pyramid.cylinder.mesh",
-                                                   "woodpile.capsule.mesh"};
+/// Shapes and meshes by turns: it rests in this build, but not in each in which bodies begin a
+/// billionth of a metre elsewhere. Where the contacts chosen of a shape and a mesh change from step
+/// to step, it takes seconds to come to rest. It must not fly nor make energy.
+constexpr std::string_view kSometimesRestless = "stack.mixed";
 
 void expect_rest(const std::vector<Scene>& scenes) {
   ASSERT_FALSE(scenes.empty());
@@ -30,7 +27,7 @@ void expect_rest(const std::vector<Scene>& scenes) {
     ASSERT_EQ(scene.steps, 600);
     const SceneReport report = run_scene(scene);
     EXPECT_GT(report.contacts, 0) << scene.name;
-    const bool is_restless = std::ranges::count(kSometimesRestless, scene.name) > 0;
+    const bool is_restless = scene.name == kSometimesRestless;
     for (const std::string& complaint :
          complaints(report, is_restless ? Outcome::Moves : Outcome::Rests))
       ADD_FAILURE() << complaint;

@@ -85,6 +85,16 @@ std::span<const MeshCrossing> MeshPieces::crossings(std::uint32_t piece) const {
   return std::span(found_.crossings).subspan(begin, ends_[piece] - begin);
 }
 
+double MeshPieces::larger() const {
+  const auto size = [](const Mesh& mesh) {
+    return (mesh.bounds().max - mesh.bounds().min).squaredNorm();
+  };
+  const double by_size = size(mesh_a_->mesh) - size(mesh_b_->mesh);
+  if (by_size != 0) return by_size;
+  return static_cast<double>(mesh_a_->mesh.triangles().size()) -
+         static_cast<double>(mesh_b_->mesh.triangles().size());
+}
+
 double MeshPieces::size() {
   double size = 0;
   for (std::uint32_t piece = 0; piece < count(); ++piece) {

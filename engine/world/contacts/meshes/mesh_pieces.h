@@ -53,6 +53,10 @@ class MeshPieces {
   const Pose& pose_a() const { return mesh_a_->pose; }
   const Pose& pose_b() const { return mesh_b_->pose; }
 
+  /// By how much A's box is larger than B's, each in its own frame, or of equal ones A has more
+  /// triangles; negative if B's is.
+  double larger() const;
+
   /// What lengths are measured by: how far the pieces reach from the origin.
   double size();
 

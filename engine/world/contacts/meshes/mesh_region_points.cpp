@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 namespace graze {
@@ -15,6 +16,16 @@ using narrowphase::Vec3;
 // A face that is parallel to the way out, to about 10 degrees, bounds no depth.
 constexpr double kFacing = 0.17;
 
+// Two faces lie along each other within 2 degrees. Which of the two is left sooner is then nearly
+// rounding, and points of either count in both cases.
+constexpr double kAlong = 0.9994;
+
+// A face that is this share as deep as the region lies in it as a whole.
+constexpr double kDeepFace = 0.5;
+
+// More faces than these go through others along their rim: they are those of a round surface.
+constexpr int kMostRimFaces = 32;
+
 // So many faces are looked at for the depths of points.
 constexpr std::size_t kMostPlanes = 16;
 
@@ -23,6 +34,10 @@ constexpr double kNegligible = 1e-9;
 
 // A depth that lacks less than this share of the region's size is the greatest.
 constexpr double kSameDepth = 1e-9;
+
+// Ends are as deep as the deepest point if they lack less than this share of its depth: half of
+// what moving the two apart by a region's depth may lack (law 15).
+constexpr double kLevelDepth = 5e-4;
 
 /// The axis of a frame that a direction is nearest to, 0 to 5.
 std::uint64_t side_of(const Pose& pose, const Vec3& direction) {
@@ -48,12 +63,21 @@ class RegionPoints {
     Vec3 b;
     double depth;
   };
+  /// A point of a curve in which a face that lies along those of the other mesh leaves them.
+  struct Rim {
+    Vec3 point;
+    Vec3 normal;  ///< of the face whose point it is
+    bool is_of_a;
+  };
   /// Kept from one region to the next, so that no step of a simulation allocates.
   struct Scratch {
     std::vector<Plane> planes;
     std::vector<Met> met;
+    std::vector<Rim> rims;
     std::vector<std::uint8_t> is_looked_at;
+    std::vector<std::uint32_t> met_at;  ///< of each end of crossings, its place in `met`
   };
+  static constexpr std::uint32_t kNotMet = 0xffffffffu;
   static Scratch& scratch() {
     static thread_local Scratch scratch;
     return scratch;
@@ -67,12 +91,13 @@ class RegionPoints {
         depth_(region.left.parting.exit.depth),
         size_(std::max(region.inner_a->radius, region.inner_b->radius)),
         planes_(scratch().planes),
-        met_(scratch().met) {}
+        met_(scratch().met),
+        rims_(scratch().rims) {}
 
   void run() {
-    met_.clear();
-    for (const bool is_of_a : {false, true})
-      add_over_faces(is_of_a);
+    met_.clear(), rims_.clear();
+    run_over_faces();
+    add_rims();
     drop_doubles();
     double most = -1;
     for (const Met& met : met_)
@@ -82,32 +107,92 @@ class RegionPoints {
   }
 
  private:
+  void run_over_faces() {
+    first_number_ = 0xffffffffu;
+    std::uint32_t last = 0;
+    for (const MeshCrossing& crossing : region_.crossings) {
+      first_number_ = std::min({first_number_, crossing.from_number, crossing.to_number});
+      last = std::max({last, crossing.from_number, crossing.to_number});
+    }
+    scratch().met_at.assign(last - first_number_ + 1, kNotMet);
+    for (const bool is_of_a : {false, true})
+      add_over_faces(is_of_a, last);
+  }
+
   /// Points of the one mesh over the faces of the other that count.
-  void add_over_faces(bool faces_are_a) {
+  void add_over_faces(bool faces_are_a, std::uint32_t last_number) {
     find_planes(faces_are_a);
     if (planes_.empty()) return;
     const InnerPart& inner = faces_are_a ? *region_.inner_b : *region_.inner_a;
     for (std::size_t i = 0; i < inner.points.size(); ++i) {
       if (inner.vertex[i] == InnerPart::kNoVertex || inner.is_outer[i]) continue;
-      add(inner.points[i] + inner.at, faces_are_a);
+      if (const std::optional<Met> met = met_over(inner.points[i] + inner.at, faces_are_a))
+        met_.push_back(*met);
     }
     // Most ends are those of two crossings.
     std::vector<std::uint8_t>& is_looked_at = scratch().is_looked_at;
-    std::uint32_t first = 0xffffffffu, last = 0;
+    is_looked_at.assign(last_number - first_number_ + 1, 0);
     for (const MeshCrossing& crossing : region_.crossings) {
-      first = std::min({first, crossing.from_number, crossing.to_number});
-      last = std::max({last, crossing.from_number, crossing.to_number});
-    }
-    is_looked_at.assign(last - first + 1, 0);
-    for (const MeshCrossing& crossing : region_.crossings) {
-      const double facing =
-          faces_are_a ? dot(crossing.normal_b, way_) : -dot(crossing.normal_a, way_);
+      const Vec3& normal = faces_are_a ? crossing.normal_b : crossing.normal_a;
+      const double facing = dot(normal, faces_are_a ? way_ : -way_);
       if (facing < kFacing) continue;
-      if (!std::exchange(is_looked_at[crossing.from_number - first], true))
-        add(crossing.from, faces_are_a);
-      if (!std::exchange(is_looked_at[crossing.to_number - first], true))
-        add(crossing.to, faces_are_a);
+      for (const bool is_end : {false, true}) {
+        const Vec3& point = is_end ? crossing.to : crossing.from;
+        const std::uint32_t number =
+            (is_end ? crossing.to_number : crossing.from_number) - first_number_;
+        if (facing > kAlong && std::abs(depth_at(point)) < kNegligible * size_)
+          rims_.push_back({point, normal, !faces_are_a});
+        if (!std::exchange(is_looked_at[number], true)) add_end(point, number, faces_are_a);
+      }
     }
+  }
+
+  /// An end of a crossing is on both surfaces, and may lie over faces of both: it counts once, as
+  /// deep as it is over either.
+  void add_end(const Vec3& point, std::uint32_t number, bool faces_are_a) {
+    const std::optional<Met> met = met_over(point, faces_are_a);
+    if (!met) return;
+    std::uint32_t& at = scratch().met_at[number];
+    if (at == kNotMet) {
+      at = static_cast<std::uint32_t>(met_.size());
+      met_.push_back(*met);
+    } else if (met->depth > met_[at].depth) {
+      met_[at] = *met;
+    }
+  }
+
+  /// Where a flat face leans, what it has in common with the other ends in a line along which it is
+  /// 0 deep: a corner that is lifted off gives its place to the point next to it, and not to
+  /// whatever edge of a triangle is near. Of a round surface the rim says nothing: its facets there
+  /// are far less deep than others.
+  void add_rims() {
+    if (region_.left.parting.feature != LeftFeature::Face || met_.empty()) return;
+    const double deep_enough = kDeepFace * met_[deepest()].depth;
+    const std::size_t count = met_.size();
+    const auto is_deep = [&](const Rim& rim) {
+      return std::any_of(met_.begin(), met_.begin() + static_cast<std::ptrdiff_t>(count),
+                         [&](const Met& met) {
+                           const Vec3& own = rim.is_of_a ? met.a : met.b;
+                           return met.depth >= deep_enough && is_on_plane(own, rim);
+                         });
+    };
+    bool counts = false;
+    const Rim* last = nullptr;
+    int faces = 0;
+    for (const Rim& rim : rims_) {
+      const bool is_known = last != nullptr && last->is_of_a == rim.is_of_a &&
+                            is_one_direction(last->normal, rim.normal) &&
+                            is_on_plane(rim.point, *last);
+      if (!is_known) {
+        if (++faces > kMostRimFaces) return;
+        counts = is_deep(rim);
+      }
+      last = &rim;
+      if (counts) met_.push_back({rim.point, rim.point, 0});
+    }
+  }
+  bool is_on_plane(const Vec3& point, const Rim& rim) const {
+    return std::abs(dot(point - rim.point, rim.normal)) <= kNegligible * size_;
   }
 
   /// The faces of one mesh that points of the other are deep in: those that lie along the face that
@@ -122,8 +207,7 @@ class RegionPoints {
       for (const MeshCrossing& crossing : region_.crossings) {
         const Vec3& normal = faces_are_a ? crossing.normal_a : crossing.normal_b;
         const double facing = (faces_are_a ? -1 : 1) * dot(normal, way_);
-        if (facing < kNearlyFacing || planes_.size() == kMostPlanes) continue;
-        if (is_face && !is_one_direction(normal, faces_are_a ? -way_ : way_)) continue;
+        if (facing < (is_face ? kAlong : kNearlyFacing) || planes_.size() == kMostPlanes) continue;
         planes_.push_back({normal, (crossing.from + crossing.to) * 0.5, facing});
       }
     }
@@ -148,17 +232,13 @@ class RegionPoints {
     return depth;
   }
 
-  void add(const Vec3& point, bool faces_are_a) {
+  std::optional<Met> met_over(const Vec3& point, bool faces_are_a) const {
     const double sign = faces_are_a ? -1 : 1;
     const double depth = depth_at(point);
     // Where the surfaces go through each other they say nothing that deeper points do not.
-    if (depth < kNegligible * size_ || depth > depth_ + kSameDepth * size_) return;
+    if (depth < kNegligible * size_ || depth > depth_ + kSameDepth * size_) return std::nullopt;
     const Vec3 met = point + way_ * (sign * depth);
-    if (faces_are_a) {
-      met_.push_back({met, point, std::max(depth, 0.0)});
-    } else {
-      met_.push_back({point, met, std::max(depth, 0.0)});
-    }
+    return faces_are_a ? Met{met, point, depth} : Met{point, met, depth};
   }
 
   /// Where the body that leaves is deepest beyond the feature that it leaves last.
@@ -219,15 +299,25 @@ class RegionPoints {
       return Vec3{m[4 * (i % 3)], m[4 * (i % 3) + 1], m[4 * (i % 3) + 2]};
     };
     constexpr double kCosine = 0.95, kSine = 0.31;
-    const Vec3 u = axis(k + 1) * kCosine + axis(k + 2) * kSine;
-    const Vec3 v = axis(k + 2) * kCosine - axis(k + 1) * kSine;
+    // How deep a point is does not tell how far out it is.
+    const auto across = [&](const Vec3& along) { return along - way_ * dot(along, way_); };
+    const Vec3 u = across(axis(k + 1) * kCosine + axis(k + 2) * kSine);
+    const Vec3 v = across(axis(k + 2) * kCosine - axis(k + 1) * kSine);
     const Vec3 directions[kDeepest] = {u, v, u * -1, v * -1};
     std::array<std::size_t, kDeepest + 1> ends{};
+    double most = 0;  // of the depths of ends
     for (std::size_t end = 0; end < ends.size(); ++end) {
-      ends[end] = end == kDeepest ? deepest() : last_along(directions[end]);
+      if (end == kDeepest) {
+        ends[end] = deepest();
+        // Of what is level any point may be the deepest by rounding: an end stands for it.
+        if (most >= met_[ends[end]].depth * (1 - kLevelDepth)) break;
+      } else {
+        ends[end] = last_along(directions[end]);
+      }
+      const Met& kept = met_[ends[end]];
+      most = std::max(most, kept.depth);
       const auto before = ends.begin() + static_cast<std::ptrdiff_t>(end);
       if (std::find(ends.begin(), before, ends[end]) != before) continue;
-      const Met& kept = met_[ends[end]];
       candidates_.list.push_back({.point_a = kept.a,
                                   .point_b = kept.b,
                                   .normal = -way_,
@@ -278,10 +368,12 @@ class RegionPoints {
   Vec3 way_;  ///< in which A leaves
   double depth_;
   double size_;
+  std::uint32_t first_number_ = 0;  ///< of the ends of crossings
   bool is_one_plane_ = true;
   bool planes_are_a_ = false;
   std::vector<Plane>& planes_;
   std::vector<Met>& met_;
+  std::vector<Rim>& rims_;
 };
 
 }  // namespace

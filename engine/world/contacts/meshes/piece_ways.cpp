@@ -41,6 +41,7 @@ double depth_of(const PieceWay& way) {
 
 void PieceWays::start(MeshPieces& pieces, FacingFeatures& features_a, FacingFeatures& features_b) {
   pieces_ = &pieces, features_a_ = &features_a, features_b_ = &features_b;
+  larger_ = pieces.larger();
   piece_ = kNoPiece;
   is_left_whole_.assign(pieces.count(), false);
 }
@@ -58,6 +59,27 @@ void PieceWays::enter(std::uint32_t piece) {
   is_wrapped_ =
       !is_left_whole_[piece] && outline.together(true) < most && outline.together(false) < most;
   if (is_wrapped_) facets_.start(crossings, surface(true), surface(false));
+}
+
+/// What the length of a face's way counts for: less if it is the larger mesh's, or of equal ones
+/// that from which the normal leads upward, wherever that is: which of the two is called A may
+/// change with each step.
+double PieceWays::face_share(const Vec3& from_a_to_b, bool is_of_a) const {
+  const double for_a = larger_ != 0 ? larger_ : dot(from_a_to_b, {1, 2, 4});
+  return (for_a >= 0) == is_of_a ? kFaceShare * kPreferredShare : kFaceShare;
+}
+
+double PieceWays::rank_of(const PieceWay& way) const {
+  if (!way.is_found) return std::numeric_limits<double>::infinity();
+  const LocalParting& parting = way.touched.parting;
+  if (parting.feature != LeftFeature::Face) return parting.exit.depth;
+  return parting.exit.depth * face_share(-parting.exit.direction, way.is_of_a);
+}
+
+/// Longer than this no way off a triangle ranks before another.
+double PieceWays::limit_for(const Looked& looked, const PieceWay& best) const {
+  const bool is_of_a = looked.way.is_of_a;
+  return rank_of(best) / face_share(is_of_a ? looked.normal : -looked.normal, is_of_a);
 }
 
 /// Makes the local part of a triangle of a mesh that wraps around; false if it has none.
@@ -93,20 +115,29 @@ PieceWays::Looked& PieceWays::look_at(std::uint32_t triangle, bool is_of_a) {
   looked.is_known = FacingFeatures::is_sliver(core);
   if (looked.is_known) return looked;
   looked.normal = LocalPartings::normal_of(core);
-  find_below(depth_of(best_), looked);
+  find_below(limit_for(looked, best_), looked);
   if (!looked.is_known) return looked;
   if (depth_of(looked.way) < depth_of(best_of_any_)) best_of_any_ = looked.way;
-  if (looked.way.is_local && depth_of(looked.way) < depth_of(best_)) best_ = looked.way;
+  if (looked.way.is_local && rank_of(looked.way) < rank_of(best_)) best_ = looked.way;
   return looked;
 }
 
 /// Finds out how a triangle is left if that may be by less than the limit.
 void PieceWays::find_below(double limit, Looked& looked) {
   if (looked.is_known || looked.at_least >= limit) return;
+  find_below(limit, {.face_share = kFaceShare}, looked);
+  const PieceWay& way = looked.way;
+  if (!way.is_found || way.is_local || way.touched.parting.feature != LeftFeature::Face) return;
+  // The face's way is another piece's: edges that are hardly shorter have their say.
+  looked.is_known = looked.way.is_found = false;
+  find_below(limit, {}, looked);
+}
+
+void PieceWays::find_below(double limit, const PartingSettings& settings, Looked& looked) {
   const bool is_of_a = looked.way.is_of_a;
   looked.way.is_partial = start_local(looked.way.touched.parting.triangle, is_of_a);
   if (looked.way.is_partial) {
-    find_with(local_, limit, looked);
+    find_with(local_, limit, settings, looked);
     if (looked.way.is_found) widen(looked.way, looked.normal);
     return;
   }
@@ -118,7 +149,7 @@ void PieceWays::find_below(double limit, Looked& looked) {
     std::size_t grow(const Vec3& direction) { return surface.grow(piece, direction); }
     bool goes_on() const { return false; }
   };
-  find_with(Whole{leaving, piece_}, limit, looked);
+  find_with(Whole{leaving, piece_}, limit, settings, looked);
   leaving.shrink(piece_);
 }
 
@@ -145,7 +176,8 @@ void PieceWays::widen(PieceWay& way, const Vec3& normal) {
 /// The part grows in the direction of the way that was found until it reaches no farther: then that
 /// is one for all that hangs together with the part.
 template <typename Part>
-void PieceWays::find_with(Part&& leaving, double limit, Looked& looked) {
+void PieceWays::find_with(Part&& leaving, double limit, const PartingSettings& settings,
+                          Looked& looked) {
   PieceWay& way = looked.way;
   LocalParting& parting = way.touched.parting;
   const InnerPart& part = leaving.part();
@@ -154,7 +186,7 @@ void PieceWays::find_with(Part&& leaving, double limit, Looked& looked) {
     points = part.points.size();
     const Core body = part.core();
     const std::optional<LocalParting> found =
-        LocalPartings(body, features(way.is_of_a))
+        LocalPartings(body, features(way.is_of_a), settings)
             .below(limit, parting.triangle, way.touched.triangle, looked.normal,
                    part.at + part.points[part.farthest(-looked.normal)]);
     if (!found) {
@@ -206,10 +238,10 @@ void PieceWays::descend(std::uint32_t piece, Vec3 way) {
   for (int step = 0; step < kMostSteps; ++step) {
     if (largest(way) == 0) way = best_.touched.parting.exit.direction;
     if (largest(way) == 0) return;
-    const double before = depth_of(best_);
+    const double before = rank_of(best_);
     look_about(piece, -way, true);
     look_about(piece, way, false);
-    if (!(depth_of(best_) < before)) return;
+    if (!(rank_of(best_) < before)) return;
     way = {};
   }
 }
@@ -231,7 +263,7 @@ void PieceWays::look_about(std::uint32_t piece, const Vec3& direction, bool is_o
 /// Of the triangles that cross and have not been looked at, the one that seems to be left soonest
 /// along its own normal. False if none seems to be left sooner than by the best way so far.
 bool PieceWays::look_at_best_face(std::uint32_t piece) {
-  double least = depth_of(best_);
+  double least = rank_of(best_);
   bool is_found = false;
   std::uint32_t best = 0;
   bool best_is_of_a = false;
@@ -242,9 +274,10 @@ bool PieceWays::look_at_best_face(std::uint32_t piece) {
     const double height = dot(normal, point - other.at);
     // What showed that the last face is worse mostly does so for this one.
     std::size_t& worst = is_of_a ? worst_b : worst_a;
-    if (height - dot(normal, other.points[worst]) >= least) return;
+    const double share = face_share(is_of_a ? normal : -normal, is_of_a);
+    if ((height - dot(normal, other.points[worst])) * share >= least) return;
     worst = other.farthest(-normal);
-    const double depth = std::max(0.0, height - dot(normal, other.points[worst]));
+    const double depth = share * std::max(0.0, height - dot(normal, other.points[worst]));
     if (depth >= least || is_looked_at(triangle, is_of_a)) return;
     least = depth, best = triangle, best_is_of_a = is_of_a, is_found = true;
   };
@@ -267,9 +300,9 @@ PieceWay PieceWays::shortest_of(std::uint32_t piece, std::span<const TrianglePai
   for (const TrianglePair& pair : pairs) {
     for (const bool is_of_a : {true, false}) {
       Looked& looked = look_at(is_of_a ? pair.a : pair.b, is_of_a);
-      find_below(depth_of(best), looked);
+      find_below(limit_for(looked, best), looked);
       const PieceWay& way = looked.way;
-      if (way.is_local && depth_of(way) < depth_of(best) &&
+      if (way.is_local && rank_of(way) < rank_of(best) &&
           !clearance.satisfies(way.touched.parting.exit))
         best = way;
     }
@@ -282,19 +315,21 @@ PieceWay PieceWays::shortest_of(std::uint32_t piece, std::span<const TrianglePai
 /// facets of a round surface differ by less.
 PieceWay PieceWays::shortest_facet(const Clearance* clearance) {
   PieceWay best;
+  double limit = std::numeric_limits<double>::infinity();  // for a bound
   const std::span<const PieceFacets::Facet> facets = facets_.facets();
-  for (std::size_t n = 0; n < facets.size() && facets[n].bound < depth_of(best); ++n) {
+  for (std::size_t n = 0; n < facets.size() && facets[n].bound < limit; ++n) {
     if (facets[n].pairs_left == 0) continue;
     Looked& looked = look_at(facets[n].triangle, facets[n].is_of_a);
-    find_below(depth_of(best), looked);
+    find_below(limit_for(looked, best), looked);
     const PieceWay& way = looked.way;
     if (!looked.is_known || !way.is_local) continue;
     Exit enough = way.touched.parting.exit;
     enough.depth *= kEnoughOfFacet;
     if (clearance != nullptr && clearance->satisfies(enough)) {
       facets_.part(n);
-    } else if (depth_of(way) < depth_of(best)) {
+    } else if (rank_of(way) < rank_of(best)) {
       best = way;
+      limit = rank_of(best) / (kFaceShare * kPreferredShare);
     }
   }
   return best;
