@@ -4,6 +4,7 @@
 
 #include <graze/bvh/obb.h>
 #include <graze/bvh/pose.h>
+#include <graze/engine/world/placed_shape.h>
 #include <graze/engine/world/shape.h>
 #include <graze/narrowphase/convex/core/core.h>
 #include <graze/narrowphase/triangle.h>
