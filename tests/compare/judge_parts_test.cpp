@@ -84,6 +84,24 @@ TEST(PlantedParts, OfContactsAreFoundWhoeverGivesThem) {
   }
 }
 
+/// A needle that comes in through one side of a cube and touches the opposite one from within has
+/// two ways out: on through that side, and back. Neither leads from B to A.
+TEST(PlantedParts, ATouchFromWithinIsNoReversedNormal) {
+  const std::vector<Vector3d> corners = {
+      {1, 0.125, 0.25}, {-3, 0.5, 0}, {-3, -0.5, 0.5}, {-3, -0.5, -0.5}};
+  const std::vector<TriangleIndices> triangles = {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}};
+  const Case query =
+      query_of(Ask::Contacts, box({1, 1, 1}), CaseMesh{Mesh(corners, triangles), at({0, 0, 0})});
+  const CaseAnswer answer = answer_case(query);
+  ASSERT_EQ(answer.contacts->size(), 2u);
+  EXPECT_EQ(answer.contacts->front().depth, 2);
+  EXPECT_EQ(answer.contacts->back().depth, 2);
+  for (const char* engine : {"graze", "somebody"}) {
+    const Judgement judgement = Judge(query).judge(answer, {engine, ""});
+    EXPECT_NE(judgement.verdict, Verdict::Wrong) << engine << ": " << judgement.truth;
+  }
+}
+
 /// A wrapper of FCL has another name than FCL, and is judged as FCL is: what it repeats is no
 /// error, what is planted is one.
 TEST(PlantedParts, AWrapperOfAnEngineIsJudgedAsThatIs) {

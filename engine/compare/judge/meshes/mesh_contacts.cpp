@@ -216,15 +216,19 @@ PartsReview review_contacts(const MeshReferee& referee, const std::vector<Triang
   if (Fault fault = review.fault_of_repeats(contacts, are_convex)) return {.fault = fault};
   const bool is_of_pairs = convention == ContactConvention::TrianglePairs;
   if (are_convex) {
-    std::size_t parting = 0;
-    std::optional<double> reversed;
+    std::size_t parting = 0, reversed = 0;
+    double error = 0;
     for (const CaseContact& c : contacts) {
       const bool does_part = review.is_parted_by(c, 1);
       parting += does_part;
-      if (!does_part && review.is_parted_by(c, -1)) reversed = 2 * c.depth;
+      if (does_part || !review.is_parted_by(c, -1)) continue;
+      ++reversed;
+      error = 2 * c.depth;
     }
-    if (reversed && (!is_of_pairs || parting == 0))
-      return {.fault = WitnessFault{"a normal from B to A", *reversed}};
+    // Where one touches a side of the other from within, both ways may be as long: that contact
+    // leads out through the side, the way back out of the whole.
+    if (parting == 0 && (is_of_pairs ? reversed > 0 : reversed == contacts.size()))
+      return {.fault = WitnessFault{"a normal from B to A", error}};
     const bool is_judged =
         convention == ContactConvention::Graze ? parting > 0 : parting == contacts.size();
     if (is_judged && !is_of_pairs) return {};
