@@ -84,6 +84,45 @@ TEST(PlantedParts, OfContactsAreFoundWhoeverGivesThem) {
   }
 }
 
+/// A needle that comes in through one side of a cube and touches the opposite one from within has
+/// two ways out: on through that side, and back. Neither leads from B to A.
+TEST(PlantedParts, ATouchFromWithinIsNoReversedNormal) {
+  const std::vector<Vector3d> corners = {
+      {1, 0.125, 0.25}, {-3, 0.5, 0}, {-3, -0.5, 0.5}, {-3, -0.5, -0.5}};
+  const std::vector<TriangleIndices> triangles = {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}};
+  const Case query =
+      query_of(Ask::Contacts, box({1, 1, 1}), CaseMesh{Mesh(corners, triangles), at({0, 0, 0})});
+  const CaseAnswer answer = answer_case(query);
+  ASSERT_EQ(answer.contacts->size(), 2u);
+  EXPECT_EQ(answer.contacts->front().depth, 2);
+  EXPECT_EQ(answer.contacts->back().depth, 2);
+  for (const char* engine : {"graze", "somebody"}) {
+    const Judgement judgement = Judge(query).judge(answer, {engine, ""});
+    EXPECT_NE(judgement.verdict, Verdict::Wrong) << engine << ": " << judgement.truth;
+  }
+}
+
+/// A corner that touches a vertex touches all triangles there, to an engine that rounds, and each
+/// pair has its contact, although an ulp may leave all but one apart.
+TEST(PlantedParts, ContactsAtAVertexMayComeOnceForEachTriangleThere) {
+  const std::vector<Vector3d> corners = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {-1, 1, 0}, {0, -1, 0}};
+  const std::vector<TriangleIndices> fan = {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 1}};
+  const std::vector<Vector3d> tip = {{0x1p-54, 0x1p-56, 0}, {1, 1, 1}, {1, -1, 1}};
+  const std::vector<TriangleIndices> one = {{0, 1, 2}};
+  const Case query = query_of(Ask::Contacts, CaseMesh{Mesh(corners, fan), at({0, 0, 0})},
+                              CaseMesh{Mesh(tip, one), at({0, 0, 0})});
+  CaseAnswer answer = answer_case(query);
+  ASSERT_EQ(answer.contacts->size(), 1u);
+  const Judge judge(query);
+  const auto repeated = [&](std::size_t count) {
+    CaseAnswer many = answer;
+    many.contacts->assign(count, answer.contacts->front());
+    return judge.judge(many, {"bullet", ""}).verdict;
+  };
+  EXPECT_EQ(repeated(9), Verdict::NotJudged);
+  EXPECT_EQ(repeated(100), Verdict::Wrong);
+}
+
 /// A wrapper of FCL has another name than FCL, and is judged as FCL is: what it repeats is no
 /// error, what is planted is one.
 TEST(PlantedParts, AWrapperOfAnEngineIsJudgedAsThatIs) {

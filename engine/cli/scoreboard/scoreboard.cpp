@@ -5,6 +5,7 @@
 #include <graze/engine/cli/replay/case_list.h>
 #include <graze/engine/cli/reports/table.h>
 #include <graze/engine/cli/scoreboard/scoreboard.h>
+#include <graze/engine/compare/run/case_comparison.h>
 #include <graze/engine/compare/run/shared_loads.h>
 #include <graze/engine/files/output_file.h>
 #include <graze/engine/files/source.h>
@@ -64,7 +65,7 @@ std::size_t all_of(const Scores& scores) {
 
 struct ScoredCase {
   std::string kind;
-  Case query;
+  compare::NamedCase named;
 };
 
 std::vector<ScoredCase> read_all(const std::vector<std::string>& arguments) {
@@ -77,7 +78,7 @@ std::vector<ScoredCase> read_all(const std::vector<std::string>& arguments) {
     read_listed_cases(
         file, {.mesh_folder = {}, .meshes = &meshes},
         [&](ListedCase each) {
-          all.push_back({mesh_io::printable(kind), std::move(each.query)});
+          all.push_back({mesh_io::printable(kind), {std::move(each.name), std::move(each.query)}});
         },
         [](const Error& error) { throw CaseError(error.what(), error.place()); });
   }
@@ -199,7 +200,7 @@ ExitCode run_scoreboard(const ScoreboardOptions& options,
   Progress progress("cases:", cases.size(), {.is_forced = options.has_progress, .has_rows = false});
   const compare::SharedLoads shared(field.engines());
   for (std::size_t i = 0; i < cases.size(); ++i) {
-    board.add(cases[i].kind, compare::try_case(cases[i].query, shared.engines()));
+    board.add(cases[i].kind, compare::try_named_case(cases[i].named, shared.engines()));
     progress.update(i + 1);
   }
   if (!options.markdown.empty()) files::write_file(options.markdown, board.markdown());

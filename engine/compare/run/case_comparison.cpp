@@ -1,7 +1,8 @@
+#include <graze/bvh/error.h>
+#include <graze/engine/cases/case.h>
 #include <graze/engine/compare/run/case_comparison.h>
 #include <graze/engine/compare/run/record/time_code.h>
 #include <graze/engine/compare/run/shared_loads.h>
-#include <graze/engine/compare/run/trial.h>
 #include <graze/engine/compare/run/trial_threads.h>
 
 namespace graze::compare {
@@ -26,6 +27,17 @@ AnswerRecord record_of(const Testimony& testimony, const Case& query) {
 
 }  // namespace
 
+std::vector<Testimony> try_named_case(const NamedCase& named,
+                                      std::span<const EngineEntry> engines) {
+  try {
+    return try_case(named.query, engines);
+  } catch (const EngineMissingError&) {
+    throw;
+  } catch (const Error& error) {  // graze refuses the question
+    throw Error(named.name + ": " + error.what(), error.place());
+  }
+}
+
 void compare_cases(const CaseJob& job, std::span<const EngineEntry> engines,
                    const PlaceRange& range,
                    const std::function<bool(std::vector<PlaceRecord>)>& on_records) {
@@ -33,10 +45,10 @@ void compare_cases(const CaseJob& job, std::span<const EngineEntry> engines,
   run_in_order<PlaceRecord>(
       range, [](std::size_t) { return 0; },
       [&](std::size_t place, int) {
-        const Case& query = job.cases[place].query;
+        const NamedCase& named = job.cases[place];
         PlaceRecord record{place, {}};
-        for (const Testimony& testimony : try_case(query, shared.engines()))
-          record.answers.push_back(record_of(testimony, query));
+        for (const Testimony& testimony : try_named_case(named, shared.engines()))
+          record.answers.push_back(record_of(testimony, named.query));
         return record;
       },
       on_records);

@@ -8,6 +8,7 @@
 
 #include <graze/engine/compare/peers/engine.h>
 #include <graze/engine/compare/run/record/answer_record.h>
+#include <graze/engine/compare/run/trial.h>
 #include <graze/engine/compare/run/trial_threads.h>
 
 namespace graze::compare {
@@ -17,6 +18,9 @@ struct NamedCase {
   Case query;
 };
 
+/// try_case() of one of many: what graze throws names it.
+std::vector<Testimony> try_named_case(const NamedCase& named, std::span<const EngineEntry> engines);
+
 /// Cases, each of which says itself what is asked.
 struct CaseJob {
   std::vector<NamedCase> cases;
@@ -25,7 +29,7 @@ struct CaseJob {
 /// Puts the cases of the range to all engines that are here and has every answer judged, also the
 /// recorded one, which comes first, as try_case() does. That graze says other than what graze or
 /// the referee once said is wrong of it. Of `on_records` see run_comparison(). Throws what graze
-/// throws.
+/// throws, with the name of the case.
 void compare_cases(const CaseJob& job, std::span<const EngineEntry> engines,
                    const PlaceRange& range,
                    const std::function<bool(std::vector<PlaceRecord>)>& on_records);

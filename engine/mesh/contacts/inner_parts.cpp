@@ -134,7 +134,9 @@ class NodesOfMesh {
 /// The ends of edges next to the nodes of each region.
 struct Shores {
   std::vector<std::vector<std::uint32_t>> inside;  // welded vertices
-  std::vector<std::uint32_t> outside;              // of all regions
+  std::vector<std::vector<std::uint32_t>>
+      across;                          // nodes to which an edge leads through the inside
+  std::vector<std::uint32_t> outside;  // of all regions
 };
 
 class Search {
@@ -179,6 +181,7 @@ class Search {
 
   void find_shores() {
     shores_.inside.resize(regions_.size());
+    shores_.across.resize(regions_.size());
     std::vector<std::size_t> region_of(complex_.nodes.size());
     for (std::size_t r = 0; r < regions_.size(); ++r) {
       for (std::uint32_t node : regions_[r].nodes)
@@ -187,6 +190,10 @@ class Search {
     nodes_.for_each_edge([&](const Edge& edge, std::span<const std::uint32_t> nodes) {
       add_shore(nodes.front(), edge.first, region_of[nodes.front()]);
       add_shore(nodes.back(), edge.second, region_of[nodes.back()]);
+      for (std::size_t i = 0; i + 1 < nodes.size(); ++i)
+        add_stretch(edge, nodes.subspan(i, 1), nodes.subspan(i + 1, 1), region_of);
+      add_stretch(edge, nodes_.at_corner(edge.first), nodes.first(1), region_of);
+      add_stretch(edge, nodes.last(1), nodes_.at_corner(edge.second), region_of);
     });
     for (std::uint32_t triangle : side_.own.triangles()) {
       const Elements& elements = side_.own.elements(triangle);
@@ -197,9 +204,37 @@ class Search {
         }
       }
     }
-    for (std::vector<std::uint32_t>& inside : shores_.inside) {
-      std::sort(inside.begin(), inside.end());
-      inside.erase(std::unique(inside.begin(), inside.end()), inside.end());
+    for (std::vector<std::vector<std::uint32_t>>* ends : {&shores_.inside, &shores_.across}) {
+      for (std::vector<std::uint32_t>& of_region : *ends) {
+        std::sort(of_region.begin(), of_region.end());
+        of_region.erase(std::unique(of_region.begin(), of_region.end()), of_region.end());
+      }
+    }
+  }
+
+  /// What of an edge lies between nodes, here at one point each, belongs to the parts that end at
+  /// both if it is inside: a bar that goes right through may have no vertex there.
+  void add_stretch(const Edge& edge, std::span<const std::uint32_t> from,
+                   std::span<const std::uint32_t> to, const std::vector<std::size_t>& region_of) {
+    bool is_inside = false;
+    const auto look = [&](std::uint32_t node, std::uint32_t corner) {
+      const SurfaceSide side =
+          surface_.side_of(side_.own.position(corner), complex_.nodes[node].name.*side_.other_name);
+      if (side == SurfaceSide::Inside) is_inside = true;
+      return side != SurfaceSide::Outside;
+    };
+    for (std::uint32_t node : from) {
+      if (!look(node, edge.second)) return;
+    }
+    for (std::uint32_t node : to) {
+      if (!look(node, edge.first)) return;
+    }
+    if (!is_inside) return;
+    for (std::uint32_t i : from) {
+      for (std::uint32_t j : to) {
+        shores_.across[region_of[i]].push_back(j);
+        shores_.across[region_of[j]].push_back(i);
+      }
     }
   }
 
@@ -208,6 +243,7 @@ class Search {
                           const std::vector<std::size_t>& region_of) {
     if (nodes_.at_corner(from).empty()) return;
     if (nodes_.nearest(from, to) != FeatureName::kNone) return;
+    add_stretch({from, to}, nodes_.at_corner(from), nodes_.at_corner(to), region_of);
     for (std::uint32_t node : nodes_.at_corner(from))
       add_shore(node, to, region_of[node]);
   }
@@ -282,6 +318,12 @@ class Search {
       std::vector<Eigen::Vector3d>& next = result.parts.emplace_back();
       for (std::uint32_t seed : shores_.inside[r])
         next.push_back(placed(seed));
+    }
+    if (!shores_.across[r].empty()) {
+      parts.push_back(static_cast<std::uint32_t>(result.parts.size()));
+      std::vector<Eigen::Vector3d>& ends = result.parts.emplace_back();
+      for (std::uint32_t node : shores_.across[r])
+        ends.push_back(complex_.nodes[node].position);
     }
     std::sort(parts.begin(), parts.end());
     parts.erase(std::unique(parts.begin(), parts.end()), parts.end());

@@ -24,7 +24,8 @@ struct InnerParts {
 };
 
 /// Starting from the nodes, whose triangles say which end of an edge lies behind the other surface,
-/// parts are followed from vertex to vertex as far as no edge meets the other mesh. Inside is where
+/// parts are followed from vertex to vertex as far as no edge meets the other mesh; stretches of
+/// edges from node to node that lie inside end at the regions of both. Inside is where
 /// the triangles' counter-clockwise sides look away. A region with a loose end encloses nothing,
 /// nor does one from which edges lead from the inside to the outside: of these, the next vertices
 /// are all there is. Time O(n) in the parts.

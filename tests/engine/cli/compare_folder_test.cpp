@@ -109,6 +109,23 @@ TEST_F(CliCompareFolder, AWrongGrazeIsExitCodeOne) {
   EXPECT_EQ(compare(engines), ExitCode::GrazeWrong) << out_;
 }
 
+/// Whether an open mesh is solid is no question; of many cases the line says which asks it.
+TEST_F(CliCompareFolder, ARefusedQuestionIsNamed) {
+  Case query = read_case(folder_ / "b-behind.json");
+  const std::vector<Eigen::Vector3d> corners = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
+  const std::vector<TriangleIndices> sheet = {{0, 1, 2}};
+  query.a = CaseMesh{Mesh(corners, sheet), Pose::Identity()};
+  query.settings.interior = Interior::Solid;
+  put("f-open", query);
+  try {
+    compare(with_wrong_fcl());
+    ADD_FAILURE() << out_;
+  } catch (const Error& error) {
+    const std::string what = error.what();
+    EXPECT_EQ(what.find("f-open.json: mesh A is not closed"), 0u) << what;
+  }
+}
+
 TEST_F(CliCompareFolder, AnAnswerOfGrazeThatHasChangedIsExitCodeOne) {
   Case query = read_case(folder_ / "d-gap.json");
   query.answer->distance = std::nextafter(*query.answer->distance, 0.0);

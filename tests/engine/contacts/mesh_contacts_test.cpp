@@ -5,6 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <utility>
+#include <vector>
 
 #include "tests/engine/contacts/placed_pairs.h"
 #include "tests/shapes/closed_meshes.h"
@@ -178,6 +181,47 @@ TEST(MeshContacts, ACrossingPlateIsTwoContacts) {
   // From the loop on the plate's lower side it is inside on to the sphere's top, and the other way.
   EXPECT_LT(found[0].normal.z() * found[1].normal.z(), 0);
   EXPECT_GT(std::abs(found[0].normal.z()), 0.999);
+}
+
+/// A bar of square section along x, its sides in so many pieces.
+Mesh make_bar(double from, double to, int pieces) {
+  std::vector<Eigen::Vector3d> vertices;
+  std::vector<TriangleIndices> triangles = {{0, 2, 1}, {0, 3, 2}};
+  for (int i = 0; i <= pieces; ++i) {
+    const double x = from + (to - from) * i / pieces;
+    for (const auto& [y, z] : {std::pair(-0.25, -0.25), {0.25, -0.25}, {0.25, 0.25}, {-0.25, 0.25}})
+      vertices.emplace_back(x, y, z);
+  }
+  for (std::uint32_t i = 0; i < 4 * static_cast<std::uint32_t>(pieces); ++i) {
+    const std::uint32_t next = i % 4 == 3 ? i - 3 : i + 1;
+    triangles.push_back({i, next, next + 4});
+    triangles.push_back({i, next + 4, i + 4});
+  }
+  const std::uint32_t end = 4 * static_cast<std::uint32_t>(pieces);
+  triangles.push_back({end, end + 1, end + 2});
+  triangles.push_back({end, end + 2, end + 3});
+  return {vertices, triangles};
+}
+
+TEST(MeshContacts, WhatGoesThroughIsAsDeepWithoutAVertexInside) {
+  const Mesh cube = tests::make_box({1, 1, 1});
+  for (int pieces : {1, 2, 3, 6}) {
+    SCOPED_TRACE(pieces);
+    const MeshContacts through = expect_symmetric({cube}, {make_bar(-3, 3, pieces)});
+    ASSERT_EQ(through.size(), 2u);
+    for (const MeshContact& contact : through) {
+      EXPECT_EQ(std::abs(contact.normal.x()), 1);
+      EXPECT_EQ(contact.depth, 2);
+      EXPECT_EQ(contact.point_a.x(), contact.normal.x());
+      EXPECT_EQ(contact.point_b.x(), -contact.normal.x());
+    }
+    // It ends at the opposite side, which it touches from within: what leaves through the side
+    // where it came in has to go as far.
+    const MeshContacts within = expect_symmetric({cube}, {make_bar(-3, 1, pieces)});
+    ASSERT_EQ(within.size(), 2u);
+    for (const MeshContact& contact : within)
+      EXPECT_EQ(contact.depth, 2) << contact.normal.transpose();
+  }
 }
 
 TEST(MeshContacts, TouchingPointsHaveTheNormalOfWhatTheyTouch) {
