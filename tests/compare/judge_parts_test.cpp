@@ -142,6 +142,22 @@ TEST(PlantedParts, AWrapperOfAnEngineIsJudgedAsThatIs) {
   }
 }
 
+/// Where two triangles cross, a pair's own normal may lead back by chance. That is no error as long
+/// as others lead nowhere: only contacts that all lead back are from B to A.
+TEST(PlantedParts, OneOfManyPairsMayLeadBack) {
+  const Case query = of_cubes(Ask::Contacts);
+  const Judge judge(query);
+  CaseAnswer said = answer_case(query);
+  for (CaseContact& c : *said.contacts)
+    c.normal *= -1;
+  EXPECT_EQ(judge.judge(said, {"fcl", ""}).verdict, Verdict::Wrong);
+  CaseContact sideways = said.contacts->front();
+  sideways.normal = sideways.normal.unitOrthogonal();
+  sideways.depth = 0;
+  said.contacts->push_back(sideways);
+  EXPECT_EQ(judge.judge(said, {"fcl", ""}).verdict, Verdict::NotJudged);
+}
+
 /// Engines that give contacts for each pair of triangles are never right: their depths are not
 /// judged.
 TEST(PlantedParts, WhatIsNotJudgedIsNeverRight) {

@@ -239,7 +239,7 @@ PartsReview review_contacts(const MeshReferee& referee, const std::vector<Triang
     }
     // Where one touches a side of the other from within, both ways may be as long: that contact
     // leads out through the side, the way back out of the whole.
-    if (parting == 0 && (is_of_pairs ? reversed > 0 : reversed == contacts.size()))
+    if (parting == 0 && reversed == contacts.size())
       return {.fault = WitnessFault{"a normal from B to A", error}};
     const bool is_judged =
         convention == ContactConvention::Graze ? parting > 0 : parting == contacts.size();
