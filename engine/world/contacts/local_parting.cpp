@@ -56,12 +56,16 @@ std::optional<LocalParting> LocalPartings::below(double limit, std::uint32_t ind
   // Ways that are nearly as long as one below the limit have a say in which one is taken.
   const double too_long = limit + kSureTimes * same;
   bool is_complete = true;
-  const auto to_beat = [&] {
-    const bool is_face = least.feature == LeftFeature::Face;
-    return (is_face ? settings_.face_share : 1) * least.exit.depth - same;
+  const auto share = [&] { return least.feature == LeftFeature::Face ? settings_.face_share : 1; };
+  // Whether a way of that depth is taken rather than the best so far.
+  bool is_close = false;
+  const auto beats = [&](double depth) {
+    if (depth < share() * least.exit.depth - same) return true;
+    is_close |= depth < least.exit.depth - same;
+    return false;
   };
   const auto offer = [&](const Exit& exit, LeftFeature feature, int which) {
-    if (exit.depth < to_beat()) least = {index, exit, feature, which};
+    if (beats(exit.depth)) least = {index, exit, feature, which};
   };
   for (int k = 0; k < 3; ++k) {
     if (within[k] >= enough) continue;
@@ -71,7 +75,7 @@ std::optional<LocalParting> LocalPartings::below(double limit, std::uint32_t ind
     const double at_end =
         (face_depth - core_.radius) * arc->cosine + within[k] * arc->sine + core_.radius;
     const double at_least = std::min(at_end, face_depth);
-    if (!(at_least < to_beat())) continue;
+    if (!beats(at_least)) continue;
     Exit exit{{}, at_least};
     if (at_least < too_long)
       exit = least_on_arc(core_, triangle.corner[k], *arc, deepest, too_long);
@@ -84,13 +88,19 @@ std::optional<LocalParting> LocalPartings::below(double limit, std::uint32_t ind
   for (int k = 0; k < 3; ++k) {
     if (std::min(within[k], within[(k + 2) % 3]) >= enough) continue;
     CornerExits exits(core_, triangle.corner[k]);
-    while (const std::optional<Exit> exit = exits.next(to_beat())) {
+    // A share of a negative depth is more than that.
+    const auto limit_of_any = [&] {
+      return std::max(share() * least.exit.depth, least.exit.depth) - same;
+    };
+    while (const std::optional<Exit> exit = exits.next(limit_of_any())) {
+      if (!beats(exit->depth)) continue;
       // The corner of a flat face has nothing ahead of it behind the face, either.
       if (dot(exit->direction, normal) > 0 && features_.corner_faces(index, k, exit->direction))
         offer(*exit, LeftFeature::Corner, k);
     }
   }
   if (!is_complete && !(least.exit.depth < limit)) return std::nullopt;
+  least.is_close = is_close;
   return least;
 }
 

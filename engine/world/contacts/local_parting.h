@@ -20,6 +20,9 @@ struct LocalParting {
   narrowphase::Exit exit;  ///< the way that the body moves, away from the mesh
   LeftFeature feature = LeftFeature::Face;
   int which = 0;  ///< of an edge its first corner; of a corner itself
+  /// Whether an edge or a corner may have lost to the face by its share alone: else the way is the
+  /// same with a share of 1.
+  bool is_close = false;
 };
 
 /// A face is nearly at right angles to a way out within 8 degrees: then it has contacts along that

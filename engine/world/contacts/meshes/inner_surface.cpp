@@ -96,6 +96,7 @@ void InnerSurface::collect(const PlacedMeshView& mesh, const Vec3& origin, Inner
   marks_.start(mesh.mesh.vertices().size());
   loop_of_.resize(std::max(loop_of_.size(), mesh.mesh.vertices().size()));
   part_of_.resize(std::max(part_of_.size(), mesh.mesh.vertices().size()));
+  passed_over_.resize(part_of_.size());
   collected_.clear();
   const std::vector<EdgeCrossing>& edges = side == InnerSide::OfA ? found.edges_a : found.edges_b;
   start(edges, groups);
@@ -198,9 +199,12 @@ void InnerSurface::add_corners(std::uint32_t piece, std::uint32_t triangle, bool
   InnerPart& part = parts_[piece];
   for (const std::uint32_t index : placing_.triangles[triangle]) {
     const std::uint32_t vertex = welded_[index];
-    if (part_of_[vertex] == first_part_ + piece) continue;
+    if (part_of_[vertex] == first_part_ + piece || passed_over_[vertex] == climb_) continue;
     const Vec3 point = placed(vertex) - part.at;
-    if (!(dot(point, direction) > above)) continue;
+    if (!(dot(point, direction) > above)) {
+      passed_over_[vertex] = climb_;
+      continue;
+    }
     part_of_[vertex] = first_part_ + piece;
     part.add(point, vertex, this->is_outside(vertex, is_outside));
   }
@@ -219,6 +223,7 @@ void InnerSurface::open(std::uint32_t piece, std::size_t point, const Vec3& dire
 /// Where a curve is as far as anything of the part the triangles that end there go on outside.
 void InnerSurface::open_curves(std::uint32_t piece, const Vec3& direction, double most) {
   const InnerPart& part = parts_[piece];
+  ++climb_;
   const double same = kSameHeight * part.radius, offset = dot(part.at, direction);
   for (const MeshCrossing& crossing : crossings_of(piece)) {
     const double end = std::max(dot(crossing.from, direction), dot(crossing.to, direction));
@@ -244,6 +249,7 @@ std::size_t InnerSurface::grow(std::uint32_t piece, const Vec3& direction) {
   take_best();
   constexpr std::size_t kNone = ~std::size_t{0};
   std::size_t opened = kNone;
+  ++climb_;
   // Who has to go round as much as the part is wide does not leave it that way.
   const double enough = most + 2 * lasting_radius_;
   while (most < enough && best != opened && part.vertex[best] != InnerPart::kNoVertex &&

@@ -180,7 +180,10 @@ class InnerSurface {
   std::vector<Collected> collected_;    ///< what is inside
   std::vector<std::uint32_t> loop_of_;  ///< of each vertex that was collected
   std::vector<std::uint64_t> part_of_;  ///< of each vertex, the part that it was added to last
-  std::uint64_t first_part_ = 1;        ///< what parts of this pair are called there, from here on
+  /// Of each vertex, the last climb that it lay too low for: `above` only rises in one.
+  std::vector<std::uint64_t> passed_over_;
+  std::uint64_t climb_ = 0;
+  std::uint64_t first_part_ = 1;  ///< what parts of this pair are called there, from here on
   std::vector<InnerPart> parts_;
   static constexpr std::uint32_t kNoPiece = 0xffffffffu;
   std::uint32_t entered_ = kNoPiece;  ///< the piece whose points part_of_ tells

@@ -125,10 +125,14 @@ PieceWays::Looked& PieceWays::look_at(std::uint32_t triangle, bool is_of_a) {
 /// Finds out how a triangle is left if that may be by less than the limit.
 void PieceWays::find_below(double limit, Looked& looked) {
   if (looked.is_known || looked.at_least >= limit) return;
+  looked.is_close = false;
   find_below(limit, {.face_share = kFaceShare}, looked);
   const PieceWay& way = looked.way;
-  if (!way.is_found || way.is_local || way.touched.parting.feature != LeftFeature::Face) return;
-  // The face's way is another piece's: edges that are hardly shorter have their say.
+  if (!looked.is_close || !way.is_found || way.is_local ||
+      way.touched.parting.feature != LeftFeature::Face)
+    return;
+  // The face's way is another piece's: edges that are hardly shorter have their say. Where none of
+  // them lost by the share alone, what is left would be the same.
   looked.is_known = looked.way.is_found = false;
   find_below(limit, {}, looked);
 }
@@ -194,6 +198,7 @@ void PieceWays::find_with(Part&& leaving, double limit, const PartingSettings& s
       return;
     }
     parting = *found;
+    looked.is_close |= parting.is_close;
     if (parting.feature == LeftFeature::Face) break;  // along the normal nothing is farther
     leaving.grow(-parting.exit.direction);
   }

@@ -63,6 +63,7 @@ class PieceWays {
     narrowphase::Vec3 normal;
     double at_least = 0;  ///< the way is known, or no shorter than that
     bool is_known = false;
+    bool is_close = false;  ///< whether what is left may depend on the face's share
   };
 
   Looked& look_at(std::uint32_t triangle, bool is_of_a);
