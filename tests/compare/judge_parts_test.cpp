@@ -148,14 +148,18 @@ TEST(PlantedParts, OneOfManyPairsMayLeadBack) {
   const Case query = of_cubes(Ask::Contacts);
   const Judge judge(query);
   CaseAnswer said = answer_case(query);
-  for (CaseContact& c : *said.contacts)
+  for (CaseContact& c : *said.contacts) {
     c.normal *= -1;
-  EXPECT_EQ(judge.judge(said, {"fcl", ""}).verdict, Verdict::Wrong);
+    c.point_a = c.point_b = c.point;  // FCL gives one
+  }
+  const Judgement back = judge.judge(said, {"fcl", ""});
+  EXPECT_EQ(back.verdict, Verdict::Wrong);
+  EXPECT_NE(back.truth.find("a normal from B to A"), std::string::npos) << back.truth;
   CaseContact sideways = said.contacts->front();
   sideways.normal = sideways.normal.unitOrthogonal();
-  sideways.depth = 0;
   said.contacts->push_back(sideways);
-  EXPECT_EQ(judge.judge(said, {"fcl", ""}).verdict, Verdict::NotJudged);
+  const Judgement found = judge.judge(said, {"fcl", ""});
+  EXPECT_EQ(found.verdict, Verdict::NotJudged) << found.truth;
 }
 
 /// Engines that give contacts for each pair of triangles are never right: their depths are not
