@@ -134,6 +134,31 @@ TEST_F(CliCompareFolder, AnAnswerOfGrazeThatHasChangedIsExitCodeOne) {
   EXPECT_NE(out_.find("recorded: "), out_.npos) << out_;
 }
 
+TEST_F(CliCompareFolder, WhatARecordLeavesOutIsNotCompared) {
+  Case query = read_case(folder_ / "d-gap.json");
+  query.answer->point_a.reset();
+  query.answer->point_b.reset();
+  query.answer->pair.reset();
+  put("d-gap", query);
+  EXPECT_EQ(compare(with_wrong_fcl()), ExitCode::Answered);
+  EXPECT_EQ(out_.find("recorded: "), out_.npos) << out_;
+}
+
+/// A gap of an ulp is a touch of two boxes by law 11, and none in real numbers.
+TEST_F(CliCompareFolder, ALawIsNoChangeOfWhatTheRefereeRecorded) {
+  Case query;
+  query.ask = Ask::Any;
+  const Pose turned(Eigen::AngleAxisd(0.5, Eigen::Vector3d(1, 2, 3).normalized()));
+  Pose beside = turned;
+  beside.translation() = turned.linear() * Eigen::Vector3d(2 + 0x1p-51, 0, 0);
+  query.a = CaseBody(Box{{1, 1, 1}}, turned);
+  query.b = CaseBody(Box{{1, 1, 1}}, beside);
+  query.answer.emplace().says = false;
+  query.answered_by = {"referee", ""};
+  put("f-kissing", query);
+  EXPECT_EQ(compare(with_wrong_fcl()), ExitCode::Answered) << out_;
+}
+
 TEST_F(CliCompareFolder, AStoppedRunGoesOn) {
   options_.resume = directory_.path("run.jsonl");
   EXPECT_EQ(compare(with_wrong_fcl()), ExitCode::Answered);
