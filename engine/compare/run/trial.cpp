@@ -41,12 +41,13 @@ CaseAnswer as_far_as(const CaseAnswer& record, CaseAnswer answer) {
   return answer;
 }
 
-/// The referee records no points, only what is true; where law 11 lets shapes touch a little sooner
-/// than they do, an answer that is proved right is no other one.
-bool differs(const CaseAnswer& answer, const Judgement& judgement, const Case& query) {
-  const CaseAnswer& record = *query.answer;
-  if (query.answered_by.engine == "graze") return !is_same(as_far_as(record, answer), record);
-  if (judgement.verdict == Verdict::Right) return false;
+/// The referee records no points. Where law 11 lets shapes touch a little sooner than they do, both
+/// answers are right, and neither is a change.
+bool differs(const Testimony& said, const Testimony& recorded) {
+  const CaseAnswer &answer = said.answer, &record = recorded.answer;
+  if (recorded.witness.engine == "graze") return !is_same(as_far_as(record, answer), record);
+  const auto is_right = [](const Testimony& t) { return t.judgement.verdict == Verdict::Right; };
+  if (is_right(said) && is_right(recorded)) return false;
   return answer.says != record.says || answer.pairs != record.pairs ||
          answer.triangles != record.triangles;
 }
@@ -146,7 +147,7 @@ std::vector<Testimony> try_case(const Case& query, std::span<const EngineEntry> 
     testimony.time = heard.said.time;
     testimony.judgement = heard.judgement;
     if (testimony.is_graze() && query.answer && is_of_record(query.answered_by)) {
-      testimony.differs_from_record = differs(testimony.answer, testimony.judgement, query);
+      testimony.differs_from_record = differs(testimony, all.front());
     }
     all.push_back(std::move(testimony));
   }
