@@ -91,6 +91,11 @@ long peak_memory_of_graze(const std::filesystem::path& folder,
   // A child of its own, whose children are no others.
   const pid_t child = fork();
   if (child == 0) {
+    // The address sanitizer would keep what is freed, up to a quarter of a gigabyte.
+    const char* options = getenv("ASAN_OPTIONS");
+    const std::string without_keeping = std::string(options == nullptr ? "" : options) +
+                                        ":quarantine_size_mb=0:thread_local_quarantine_size_kb=0";
+    setenv("ASAN_OPTIONS", without_keeping.c_str(), 1);
     const CommandResult result = run_graze(folder, arguments);
     rusage usage = {};
     getrusage(RUSAGE_CHILDREN, &usage);
