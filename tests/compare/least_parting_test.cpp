@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <string>
 #include <vector>
 
 #include "tests/shapes/formula_meshes.h"
@@ -83,6 +84,18 @@ TEST(LeastParting, OfBoxesIsThatOfTheirAxes) {
   }
 }
 
+/// The directions are dense enough for the tolerance.
+void expect_none_shorter(const LeastParting& found, const PlacedBody& a, const PlacedBody& b,
+                         const std::vector<Vector3d>& directions) {
+  double shortest = std::numeric_limits<double>::infinity();
+  for (const Vector3d& n : directions)
+    shortest = std::min(shortest, way_along(a, b, n));
+  SCOPED_TRACE(std::string(name_of(a.shape.kind())) + " and " + name_of(b.shape.kind()));
+  EXPECT_LE(found.least, shortest + kRounding);
+  EXPECT_LE(found.most, shortest + kTolerance);
+  EXPECT_NEAR(way_along(a, b, found.direction), found.most, kRounding);
+}
+
 TEST(LeastParting, NoDirectionOfManyIsShorter) {
   RandomSource random(5);
   std::vector<Vector3d> corners;
@@ -101,14 +114,8 @@ TEST(LeastParting, NoDirectionOfManyIsShorter) {
         const PlacedBody a{shape_a, pose_a}, b{shape_b, pose_b};
         const auto found = least_parting(a, b, near_by(random), kTolerance);
         ASSERT_TRUE(found);
-        double shortest = std::numeric_limits<double>::infinity();
-        for (const Vector3d& n : directions)
-          shortest = std::min(shortest, way_along(a, b, n));
-        EXPECT_LE(found->least, shortest + kRounding)
-            << name_of(shape_a.kind()) << ' ' << name_of(shape_b.kind());
-        EXPECT_LE(found->most, shortest + kTolerance);
+        expect_none_shorter(*found, a, b, directions);
         EXPECT_LE(found->most - found->least, kTolerance);
-        EXPECT_NEAR(way_along(a, b, found->direction), found->most, kRounding);
       }
     }
   }
@@ -146,16 +153,11 @@ TEST(LeastParting, OfRoundShapesOnOneAxisIsNoDirectionOfManyShorterEither) {
         const PlacedBody a{shape_a, pose_a}, b{shape_b, pose_b};
         const auto found = least_parting(a, b, near_by(random), kTolerance);
         ASSERT_TRUE(found);
-        double shortest = std::numeric_limits<double>::infinity();
-        for (const Vector3d& n : directions)
-          shortest = std::min(shortest, way_along(a, b, n));
-        EXPECT_LE(found->least, shortest + kRounding)
-            << name_of(shape_a.kind()) << ' ' << name_of(shape_b.kind()) << ' ' << aside;
-        EXPECT_LE(found->most, shortest + kTolerance);
+        SCOPED_TRACE(aside);
+        expect_none_shorter(*found, a, b, directions);
         if (aside < kTolerance) {
           EXPECT_LE(found->most - found->least, kTolerance);
         }
-        EXPECT_NEAR(way_along(a, b, found->direction), found->most, kRounding);
       }
     }
   }

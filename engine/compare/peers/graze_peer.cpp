@@ -1,10 +1,10 @@
 // graze behind the page that every engine has, so that it is asked and judged as the others are.
 
 #include <graze/bvh/error.h>
-#include <graze/engine/cases/answer_case.h>
 #include <graze/engine/cases/motion_case.h>
 #include <graze/engine/cases/text/case_words.h>
 #include <graze/engine/compare/peers/engine.h>
+#include <graze/engine/compare/peers/graze_answer.h>
 #include <graze/engine/world/shape_motion.h>
 #include <graze/engine/world/shape_pairs.h>
 
@@ -13,26 +13,13 @@
 namespace graze::compare {
 namespace {
 
-template <typename Placed>
-CaseAnswer answer_about(const Question& question, Placed a, Placed b) {
-  a.course = question.course_a;
-  b.course = question.course_b;
-  return answer_case({.note = "",
-                      .ask = question.ask,
-                      .settings = question.settings,
-                      .a = std::move(a),
-                      .b = std::move(b),
-                      .answer = std::nullopt,
-                      .answered_by = {}});
-}
-
 class GrazePair : public LoadedPair {
  public:
   GrazePair(const Mesh& mesh_a, const Mesh& mesh_b) : mesh_a_(mesh_a), mesh_b_(mesh_b) {}
 
   std::optional<CaseAnswer> answer(const Question& question, const Pose& pose_a,
                                    const Pose& pose_b) const override {
-    return answer_about(question, CaseMesh(mesh_a_, pose_a), CaseMesh(mesh_b_, pose_b));
+    return graze_answer(question, CaseMesh(mesh_a_, pose_a), CaseMesh(mesh_b_, pose_b));
   }
 
  private:
@@ -52,7 +39,7 @@ class GrazeShapes : public LoadedShapes {
   std::optional<CaseAnswer> answer(const Question& question, const PlacedShape& a,
                                    const PlacedShape& b) const override {
     if (cases::is_about_motion(question.ask)) return answer_about_ways(question, a, b);
-    return answer_about(question, CaseBody(shapes_[a.shape], a.pose),
+    return graze_answer(question, CaseBody(shapes_[a.shape], a.pose),
                         CaseBody(shapes_[b.shape], b.pose));
   }
 

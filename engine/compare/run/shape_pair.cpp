@@ -1,4 +1,4 @@
-#include <graze/engine/cases/answer_case.h>
+#include <graze/engine/compare/peers/graze_answer.h>
 #include <graze/engine/compare/run/shape_pair.h>
 
 #include <array>
@@ -14,17 +14,7 @@ class GrazeShapePair : public LoadedPair {
 
   std::optional<CaseAnswer> answer(const Question& question, const Pose& pose_a,
                                    const Pose& pose_b) const override {
-    CaseBody a(a_, pose_a);
-    CaseBody b(b_, pose_b);
-    a.course = question.course_a;
-    b.course = question.course_b;
-    return answer_case({.note = "",
-                        .ask = question.ask,
-                        .settings = question.settings,
-                        .a = std::move(a),
-                        .b = std::move(b),
-                        .answer = std::nullopt,
-                        .answered_by = {}});
+    return graze_answer(question, CaseBody(a_, pose_a), CaseBody(b_, pose_b));
   }
 
  private:
