@@ -140,6 +140,7 @@ RayTree ray_tree_over(const Tree& tree, const LocalCorners& corners) {
   const std::size_t count = tree.primitives.size();
   if (count > std::size_t{1} << RayChild::kPlaceBits) return rays;
   const Laid laid = lay_out(tree, RayGroups(tree, RayTree::kLeafSize));
+  if (laid.nodes.size() > RayTree::kMostNodes) return rays;
   rays.primitives = tree.primitives.data();
   // Each node on a way down leaves all of its children but one.
   rays.most_open = (RayNode::kWidth - 1) * laid.depth + 1;

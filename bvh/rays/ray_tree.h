@@ -62,6 +62,8 @@ struct RayTree {
 
   /// Where a node is, is counted in half cache lines.
   static constexpr std::size_t kUnit = 32;
+  /// Of which a walk keeps 29 bits, beside a lane.
+  static constexpr std::size_t kMostNodes = (std::size_t{1} << 29) / (sizeof(RayNode) / kUnit);
   static std::uint32_t where(std::size_t node) {
     return static_cast<std::uint32_t>(node * (sizeof(RayNode) / kUnit));
   }
@@ -84,7 +86,7 @@ struct RayTree {
   /// ten bits for each coordinate, the first one lowest: steps of the grid across the leaf's box,
   /// to the nearest. There is room behind all to read eight at once.
   std::unique_ptr<std::uint32_t[], LargePages> corners;
-  std::size_t node_count;           ///< 0 where there are more primitives than a RayChild can name
+  std::size_t node_count;           ///< 0 where a RayChild cannot name all that there is
   std::size_t corner_count;         ///< with that room
   std::uint32_t most_open;          ///< nodes that can wait at once in a walk
   const std::uint32_t* primitives;  ///< the binary tree's, place by place

@@ -16,8 +16,8 @@ namespace {
 // A coefficient in the middle of the volume has 18 monomials. Each is off by 9.01 u X Y Z from
 // three offsets, and by seven roundings at most: two products, the cross product's difference, the
 // sum of two of them, two sums of the dot product, the sum of two of these. 18 * 16.01 u, and X Y Z
-// as it is computed is less than the exact product by 5 u: 288.3 u. CoefficientSigns at the ends
-// have 6 monomials.
+// as it is computed is less than the exact product by 5 u: 288.3 u. Coefficients at the ends have
+// 6 monomials.
 constexpr double kVolumeBound = 300 * 0x1p-53;
 
 // The areas of a projection have two monomials at the ends and four in the middle, each off by

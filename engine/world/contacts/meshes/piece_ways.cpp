@@ -65,8 +65,9 @@ void PieceWays::enter(std::uint32_t piece) {
 /// that from which the normal leads upward, wherever that is: which of the two is called A may
 /// change with each step.
 double PieceWays::face_share(const Vec3& from_a_to_b, bool is_of_a) const {
-  const double for_a = larger_ != 0 ? larger_ : dot(from_a_to_b, {1, 2, 4});
-  return (for_a >= 0) == is_of_a ? kFaceShare * kPreferredShare : kFaceShare;
+  double for_a = larger_ != 0 ? larger_ : dot(from_a_to_b, {1, 2, 4});
+  if (for_a == 0) for_a = from_a_to_b.x != 0 ? from_a_to_b.x : from_a_to_b.y;
+  return (for_a > 0) == is_of_a ? kFaceShare * kPreferredShare : kFaceShare;
 }
 
 double PieceWays::rank_of(const PieceWay& way) const {
