@@ -4,7 +4,6 @@
 namespace graze {
 
 using narrowphase::Core;
-using narrowphase::Vec3;
 
 namespace {
 
