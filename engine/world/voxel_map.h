@@ -30,7 +30,8 @@ class VoxelMap {
   explicit VoxelMap(const Voxels& voxels);
 
   /// Those that are there, or not, stay as they are. Throws InputError for one that is not of the
-  /// grid, and then changes nothing; and at the first that needs more than 2^20 blocks. O(n).
+  /// grid, and then changes nothing; and at the first that needs more than 2^20 blocks, or memory
+  /// that is not there: what comes before it is then done, and all can be asked for again. O(n).
   void add(std::span<const Voxel> voxels);
   void remove(std::span<const Voxel> voxels);
   /// The same of all from `first` to `last`, both included, along each axis, as a leaf of an octree

@@ -277,8 +277,7 @@ void WorldRecorder::Journal::finish() {
     queue_.hand_over(blocks_);
   });
   close();
-  if (const std::exception_ptr failure = std::exchange(failure_, nullptr))
-    std::rethrow_exception(failure);
+  if (failure_ != nullptr) std::rethrow_exception(failure_);
 }
 
 void WorldRecorder::Journal::close() noexcept {

@@ -68,7 +68,8 @@ void StepQueue::submit() {
     next = std::move(free_.back());
     free_.pop_back();
   }
-  waiting_.push_back(std::exchange(notes_, std::move(next)));
+  waiting_.push_back(std::move(notes_));
+  notes_ = std::move(next);
   lock.unlock();
   has_changed_.notify_all();
 }

@@ -27,12 +27,12 @@ void PairBatches::note_failure(std::uint32_t pair) {
 
 void PairBatches::make_room_in(ContactList& all) {
   for (PairBatch& batch : batches())
-    batch.place.contacts = all.make_room_for(batch.news.contacts);
+    batch.place_of_contacts = all.make_room_for(batch.news.contacts);
 }
 
 void PairBatches::make_room_in(PairNews& all) {
-  NewsPlace next{all.begun.size(),      all.ended.size(), all.begun_near.size(),
-                 all.ended_near.size(), all.moved.size(), 0};
+  NewsPlace next{all.begun.size(), all.ended.size(), all.begun_near.size(), all.ended_near.size(),
+                 all.moved.size()};
   for (PairBatch& batch : batches()) {
     batch.place = next;
     next.begun += batch.news.begun.size();
@@ -41,7 +41,6 @@ void PairBatches::make_room_in(PairNews& all) {
     next.ended_near += batch.news.ended_near.size();
     next.moved += batch.news.moved.size();
   }
-  make_room_in(all.contacts);
   all.moved.resize(next.moved);
   graze::make_room_in(all.begun, next.begun - all.begun.size());
   graze::make_room_in(all.ended, next.ended - all.ended.size());
@@ -54,12 +53,12 @@ void PairBatches::make_room_in(PairNews& all) {
 }
 
 void put_contacts(const PairBatch& batch, ContactList& all) {
-  std::size_t place = batch.place.contacts;
+  std::size_t place = batch.place_of_contacts;
   for (const BodyContact& contact : batch.news.contacts.all())
     all.put(place++, contact);
 }
 
-void put_news(const PairBatch& batch, PairNews& all) {
+void put_pairs(const PairBatch& batch, PairNews& all) noexcept {
   const auto put = [](const std::vector<BodyPair>& pairs, std::vector<BodyPair>& to,
                       std::size_t place) {
     std::copy(pairs.begin(), pairs.end(), to.begin() + static_cast<std::ptrdiff_t>(place));
@@ -69,7 +68,6 @@ void put_news(const PairBatch& batch, PairNews& all) {
   put(batch.news.begun_near, all.begun_near, batch.place.begun_near);
   put(batch.news.ended_near, all.ended_near, batch.place.ended_near);
   put(batch.news.moved, all.moved, batch.place.moved);
-  put_contacts(batch, all.contacts);
 }
 
 }  // namespace graze

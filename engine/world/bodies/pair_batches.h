@@ -42,6 +42,7 @@ struct alignas(64) PairBatch {
   std::uint32_t end = 0;
   bool has_mark = false;  ///< whether a body has Bodies::Changes::has_unbuilt_tree
   NewsPlace place = {};
+  std::size_t place_of_contacts = 0;
   PairNews news;
 };
 
@@ -99,10 +100,10 @@ class PairBatches {
     std::rethrow_exception(std::exchange(failure_, nullptr));
   }
 
-  /// Makes room for the news of all batches behind those that are there. What throws leaves those
-  /// about what began and ended as they were.
+  /// Makes room for the pairs that all batches tell of, behind those that are there. What throws
+  /// leaves those that began and ended as they were.
   void make_room_in(PairNews& all);
-  /// Likewise for the contacts alone.
+  /// Likewise for the contacts.
   void make_room_in(ContactList& all);
 
  private:
@@ -153,8 +154,9 @@ class PairBatches {
   std::exception_ptr failure_;
 };
 
-/// Writes what a batch has to tell to its place in all news, in which there is room.
-void put_news(const PairBatch& batch, PairNews& all);
+/// Writes the pairs that a batch tells of to their place in all news, in which there is room.
+void put_pairs(const PairBatch& batch, PairNews& all) noexcept;
+/// Likewise its contacts, of which some may need memory of their own.
 void put_contacts(const PairBatch& batch, ContactList& all);
 
 }  // namespace graze

@@ -35,9 +35,9 @@ struct PairNews {
   }
 };
 
-/// Where in all news those of a part of the pairs go.
+/// Where in all news those of a part of the pairs go, but for contacts.
 struct NewsPlace {
-  std::size_t begun, ended, begun_near, ended_near, moved, contacts;
+  std::size_t begun, ended, begun_near, ended_near, moved;
 };
 
 }  // namespace graze

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <new>
 #include <numeric>
 
 namespace graze {
@@ -221,19 +222,36 @@ void World::State::test_in_batches(PairQuestion question) {
   batches.are_all_answered() ? note_answers_of_batches(question) : note_answers_in_turn(question);
 }
 
-/// Takes note of all answers, which threads share, too.
+/// Takes note of all answers, which threads share, too. Contacts are copied first, which may need
+/// memory: where it is short the world has taken note of none. After that only oneTBB may fail, and
+/// what it has left out is done by this thread.
 void World::State::note_answers_of_batches(PairQuestion question) {
-  batches.make_room_in(news);
   const std::span<PairBatch> list = batches.batches();
   constexpr std::size_t kTogether = 16;
-  workers.for_each((list.size() + kTogether - 1) / kTogether, [&](std::size_t part) {
+  const std::size_t parts = (list.size() + kTogether - 1) / kTogether;
+  const auto part_of_list = [&](std::size_t part) {
     const std::size_t first = part * kTogether;
-    for (const PairBatch& batch : list.subspan(first, std::min(kTogether, list.size() - first))) {
-      put_news(batch, news);
+    return list.subspan(first, std::min(kTogether, list.size() - first));
+  };
+  batches.make_room_in(news.contacts);
+  workers.for_each(parts, [&](std::size_t part) {
+    for (const PairBatch& batch : part_of_list(part))
+      put_contacts(batch, news.contacts);
+  });
+  batches.make_room_in(news);
+  const auto note = [&](std::size_t part) noexcept {
+    for (const PairBatch& batch : part_of_list(part)) {
+      put_pairs(batch, news);
       for (std::uint32_t i = batch.first; i < batch.end; ++i)
         note_answer(order[i], question, batches.answer(i));
     }
-  });
+  };
+  try {
+    workers.for_each(parts, note);
+  } catch (const std::bad_alloc&) {
+    for (std::size_t part = 0; part < parts; ++part)
+      note(part);
+  }
   for (const PairBatch& batch : list) {
     news.work.shape_tests += batch.news.work.shape_tests;
     news.work.pairs_asleep += batch.news.work.pairs_asleep;
@@ -322,12 +340,14 @@ void World::State::tell(std::uint32_t at, PairQuestion question, const PairAnswe
   const BoxPair pair = candidates.list()[at];
   const bool do_touch = answer.kind == PairAnswer::Kind::Touching;
   if (do_touch && question == PairQuestion::Changed) to.moved.push_back(all.id_pair(pair));
-  if (do_touch != candidates.touches(at))
-    (do_touch ? to.begun : to.ended).push_back(all.id_pair(pair));
   to.work.pairs_near += answer.kind == PairAnswer::Kind::Near && question == PairQuestion::Changed;
   const bool is_near = answer.is_near() && all.margin(pair) > 0;
-  if (is_near != candidates.is_near(at))
-    (is_near ? to.begun_near : to.ended_near).push_back(all.id_pair(pair));
+  const bool has_other_nearness = is_near != candidates.is_near(at);
+  std::vector<BodyPair>& near = is_near ? to.begun_near : to.ended_near;
+  if (has_other_nearness) make_room_in(near, 1);  // or a pair could be told twice
+  if (do_touch != candidates.touches(at))
+    (do_touch ? to.begun : to.ended).push_back(all.id_pair(pair));
+  if (has_other_nearness) near.push_back(all.id_pair(pair));
 }
 
 /// Takes note of the answer. Several threads may do so for several pairs.

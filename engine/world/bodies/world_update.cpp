@@ -75,6 +75,7 @@ bool Bodies::may_meet(std::uint32_t a, std::uint32_t b) const {
 
 void World::State::end(std::uint32_t at) {
   const BodyPair pair = all.id_pair(candidates.list()[at]);
+  if (candidates.is_near(at)) make_room_in(news.ended_near, 1);  // or a pair could end twice
   if (candidates.touches(at)) news.ended.push_back(pair);
   if (candidates.is_near(at)) news.ended_near.push_back(pair);
   candidates.remove(at);
