@@ -191,13 +191,16 @@ TEST_F(MotionPeers, FclsAdvancementHasSettings) {
   for (const char* name : {"fcl-advancement-swapped", "fcl-advancement-indep",
                            "fcl-advancement-fine", "fcl-advancement-translation"})
     EXPECT_NEAR(said(*engine(name), query), 0.5, 0x1p-10) << name;
-  // A bar that turns into a wall, one search for nearest points beside the other, and swapped.
-  const Shape bar(Box{{0.1, 0.9, 0.1}});
-  const RigidMotion turns(Pose(Eigen::Translation3d(-1.5, 0, 0)),
-                          {.centre = {-1.5, 0, 0}, .axis = {0, 0, 1}, .angle = 1});
-  Case turning = about(box, kRests, bar, turns);
+  // FCL's first geometry is asked otherwise than the second: here by the last digits.
+  const Shape capsule(Capsule{0.3, 0.5});
+  const RigidMotion turns(
+      Pose(Eigen::Translation3d(-2.5, 0.2, 0.1)),
+      {.centre = {-2.5, 0.2, 0.1}, .shift = {2, 0.1, 0}, .axis = {1, 2, 3}, .angle = 1});
+  Case turning = about(box, kRests, capsule, turns);
   const double swapped = said(*engine("fcl-advancement-swapped"), turning);
   const double kept = said(*engine("fcl-advancement"), turning);
+  EXPECT_NE(kept, swapped);
+  EXPECT_NEAR(kept, swapped, 1e-3);
   std::swap(turning.a, *turning.b);
   EXPECT_EQ(said(*engine("fcl-advancement"), turning), swapped);
   EXPECT_EQ(said(*engine("fcl-advancement-swapped"), turning), kept);
