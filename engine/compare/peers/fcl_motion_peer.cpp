@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <string>
-#include <utility>
 
 namespace graze::compare {
 namespace {
@@ -69,7 +68,7 @@ class FclWayShapes : public LoadedShapes {
 
 class FclWayEngine : public Engine {
  public:
-  explicit FclWayEngine(NamedWay way) : way_(std::move(way)) {}
+  explicit FclWayEngine(const NamedWay& way) : way_(way) {}
   CaseWitness name() const override { return {way_.name, fcl_version()}; }
   std::optional<std::vector<Ask>> questions() const override {
     return std::vector<Ask>{Ask::FirstContact, Ask::Free};
