@@ -69,8 +69,8 @@ class FrontDue {
   /// are: what is due by its budget, but not what its planes still keep out, which gets a later
   /// budget. There are no branches but the loops, because nothing of it can be predicted.
   template <typename Planes>
-  HWY_INLINE std::size_t find_due(const std::vector<Planes>& planes,
-                                  std::vector<float>& budgets) const {
+  HWY_NOINLINE std::size_t find_due(const std::vector<Planes>& planes,
+                                    std::vector<float>& budgets) const {
     const std::size_t size = list_due(budgets);
     std::uint32_t* const due = state_.due.data();
     std::size_t open = 0;
@@ -96,7 +96,7 @@ class FrontDue {
   }
 
   /// Lists the indices of all budgets that are spent.
-  HWY_INLINE std::size_t list_due(const std::vector<float>& budgets) const {
+  HWY_NOINLINE std::size_t list_due(const std::vector<float>& budgets) const {
     const hn::ScalableTag<float> tag;
     const hn::RebindToUnsigned<decltype(tag)> indices;
     const std::size_t lanes = hn::Lanes(tag);

@@ -91,7 +91,7 @@ class FrontLeaves : protected FrontDue<bounds> {
 
   /// Finds planes between the primitives of the first `count` leaves of state_.due. Those with
   /// pairs that no plane tells apart become busy.
-  HWY_INLINE void separate_leaves(std::size_t count) {
+  HWY_NOINLINE void separate_leaves(std::size_t count) {
     state_.crossing.make_room(count);
     state_.unsure.make_room(count);
     std::size_t busy = state_.busy.size();

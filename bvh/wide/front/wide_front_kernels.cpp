@@ -103,7 +103,7 @@ class FrontUpdater : private FrontLeaves<bounds> {
     fetch(*visit.query.node);
   }
 
-  HWY_INLINE void visit(std::size_t index) {
+  HWY_NOINLINE void visit(std::size_t index) {
     const WideFront::Visit found = state_.visits[index];
     const int tested_side = found.tested_side;
     const WideChildRef query = found.query;
@@ -151,7 +151,7 @@ class FrontUpdater : private FrontLeaves<bounds> {
   }
 
   /// Of a pair the larger child is opened: it becomes the tested node.
-  HWY_INLINE void add_visit(const WidePairWalk::Waiting& pair) {
+  HWY_NOINLINE void add_visit(const WidePairWalk::Waiting& pair) {
     const std::uint32_t link_a = pair.a.node->child[pair.a.lane];
     const std::uint32_t link_b = pair.b.node->child[pair.b.lane];
     const int tested_side = is_first_opened(pair.a, link_a, pair.b, link_b, scale_b_) ? 0 : 1;

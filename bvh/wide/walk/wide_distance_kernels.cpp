@@ -43,11 +43,9 @@ class Walker {
   HWY_INLINE void compare(const WideDistanceWalk::Waiting& pair) {
     const std::uint32_t link_a = pair.a.node->child[pair.a.lane];
     const std::uint32_t link_b = pair.b.node->child[pair.b.lane];
-    if (is_first_opened(pair.a, link_a, pair.b, link_b, scale_b_)) {
-      open_tested(0, pair.a, link_a, pair.b, link_b);
-    } else {
-      open_tested(1, pair.b, link_b, pair.a, link_a);
-    }
+    const bool is_a_opened = is_first_opened(pair.a, link_a, pair.b, link_b, scale_b_);
+    open_tested(is_a_opened ? 0 : 1, is_a_opened ? pair.a : pair.b, is_a_opened ? link_a : link_b,
+                is_a_opened ? pair.b : pair.a, is_a_opened ? link_b : link_a);
   }
 
   HWY_INLINE void open_tested(int tested_side, const WideChildRef& tested,
