@@ -5,6 +5,7 @@
 #include <graze/engine/mesh/rigid_motion.h>
 #include <graze/engine/world/shape.h>
 
+#include <cstddef>
 #include <memory>
 #include <optional>
 
@@ -12,8 +13,34 @@ namespace graze::compare {
 
 /// How FCL looks for a first contact.
 enum class FclContinuous {
-  Sampled,  ///< its default: ten poses, evenly spread
-  Advanced  ///< conservative advancement
+  Sampled,    ///< its default: poses, evenly spread
+  Advanced,   ///< conservative advancement
+  Polynomial  ///< vertices on straight paths: of two meshes that do not turn
+};
+
+/// FCL's kinds of motions. A course is asked as one that goes the same way, or not at all.
+enum class FclCourse {
+  Interpolated,  ///< InterpMotion: any that turns by less than 3 radians
+  Screw,         ///< ScrewMotion: of these, shifts along the axis, and what does not turn
+  Translation,   ///< TranslationMotion: what does not turn
+  Spline         ///< SplineMotion: likewise, its four points being in line
+};
+
+/// FCL's searches for nearest points of convex shapes.
+enum class FclNearest { Libccd, Independent };
+
+/// Who is FCL's first geometry.
+enum class FclOrder { Kept, Swapped };
+
+/// All that a ContinuousCollisionRequest says, with FCL's defaults, but for the kind of motion.
+struct FclMotionSettings {
+  FclContinuous how = FclContinuous::Sampled;
+  FclCourse course = FclCourse::Interpolated;
+  FclNearest nearest = FclNearest::Libccd;
+  FclOrder order = FclOrder::Kept;
+  std::size_t samples = 10;  ///< num_max_iterations
+  double time_error =
+      1e-4;  ///< toc_err, a share of the time; FCL takes no more than 1 / it samples
 };
 
 /// A shape, or a mesh under a tree of OBBs and RSSs, made once for many motions.
@@ -27,7 +54,7 @@ class FclMover {
   struct Geometry;
   friend std::optional<struct FclFirstContact> first_contact(const FclMover&, const RigidMotion&,
                                                              const FclMover&, const RigidMotion&,
-                                                             FclContinuous);
+                                                             const FclMotionSettings&);
   std::unique_ptr<const Geometry> geometry_;
 };
 
@@ -37,12 +64,11 @@ struct FclFirstContact {
   double time;  ///< from 0 to 1
 };
 
-/// FCL's answer, with its defaults but for how it looks. Its InterpMotion goes as a RigidMotion
-/// does, but turns the short way: nothing of motions that turn by 3 radians or more. Nothing either
-/// of shapes that it has no such function for, and of its advancement of half-spaces and planes,
-/// with which FCL 0.7 crashes.
+/// FCL's answer. Nothing of motions that turn by 3 radians or more, for it turns the short way, and
+/// of courses that the kind of motion cannot go. Nothing either of shapes that it has no such
+/// function for, and of its advancement of half-spaces and planes, with which FCL 0.7 crashes.
 std::optional<FclFirstContact> first_contact(const FclMover& shape_a, const RigidMotion& motion_a,
                                              const FclMover& shape_b, const RigidMotion& motion_b,
-                                             FclContinuous how);
+                                             const FclMotionSettings& settings);
 
 }  // namespace graze::compare

@@ -24,8 +24,9 @@ that does not come within --timeout. What one of them gets wrong is asked again 
 if it is right then, it is "not confirmed", and counted, but not held against it.
 
 Of --query first_contact and free B moves from each of the --poses to the next, straight and turning the
-short way. FCL is asked twice, with its ten samples and as "fcl-advancement"; answers are judged by
-certificates of freedom and by contacts at a time (see graze replay --help).
+short way. FCL is asked twice, with its ten samples and as "fcl-advancement", Bullet about convex shapes and a mesh beside
+one; their other settings take part if --engines names them (fcl-1000, fcl-swapped, fcl-screw, fcl-polynomial, bullet-gjk
+and so on). Answers are judged by certificates of freedom and by contacts at a time (see graze replay --help).
 
 Shrinking starts from the guilty pair of triangles and, if the engine is right about these alone, from
 what is near it. It takes --shrink-seconds in all, and as much more as the question that is being asked
@@ -251,8 +252,7 @@ void add_compare_command(CLI::App& program, Action& action,
   command->footer(kCompareFooter);
   command->callback([options, &action] {
     action = [options](Output& output) {
-      const compare::PeerSettings peers = {.timeout =
-                                               std::chrono::duration<double>(options->timeout)};
+      const compare::PeerSettings peers = peer_settings(*options);
       return run_compare(*options, engines_with(peers, options->engine_commands), output);
     };
   });

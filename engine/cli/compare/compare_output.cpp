@@ -215,7 +215,8 @@ std::string text_of(const CompareFindings& findings, const KeptCases& kept,
                     std::span<const compare::EngineEntry> engines) {
   std::string text;
   for (const compare::EngineEntry& entry : engines) {
-    if (entry.engine == nullptr) text += entry.name + ": not found when this command was built\n";
+    if (entry.engine != nullptr || entry.is_only_if_named) continue;
+    text += entry.name + ": not found when this command was built\n";
   }
   text += findings.rows;
   for (const WrittenCase& each : kept.cases)

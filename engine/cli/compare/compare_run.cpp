@@ -235,9 +235,11 @@ class PoseComparison {
 
 }  // namespace
 
-ExitCode run_compare(const CompareOptions& options, std::span<const EngineEntry> engines,
+ExitCode run_compare(const CompareOptions& options, std::span<const EngineEntry> known,
                      Output& output) {
   if (!(options.time_tolerance >= 1)) throw UsageError("--time-tolerance: is below 1");
+  const std::vector<EngineEntry> engines =
+      with_more_engines(known, compare::motion_engines(peer_settings(options)));
   if (options.mesh_b.empty()) {
     std::error_code ignored;
     if (fs::path(options.mesh_a).extension() == ".json") {

@@ -4,6 +4,7 @@
 #include <graze/engine/cli/output/output.h>
 #include <graze/engine/compare/peers/engine.h>
 
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -55,8 +56,14 @@ struct CompareOptions {
   std::string markdown = {};                      ///< a file for a code host's summary
 };
 
+/// How other engines are asked.
+inline compare::PeerSettings peer_settings(const CompareOptions& options) {
+  return {.timeout = std::chrono::duration<double>(options.timeout)};
+}
+
+/// `known` take part, and those of compare::motion_engines() that are named.
 /// Throws UsageError, PoseError, MeshError or CaseError. Bad input leaves standard output empty.
-ExitCode run_compare(const CompareOptions& options, std::span<const compare::EngineEntry> engines,
+ExitCode run_compare(const CompareOptions& options, std::span<const compare::EngineEntry> known,
                      Output& output);
 
 /// `graze compare FOLDER`, of cases, each of which says what is asked. Throws UsageError for

@@ -184,7 +184,7 @@ ExitCode run_compare_scene(const CompareOptions& options,
                            std::span<const compare::EngineEntry> engines, Output& output) {
   check_scene_options(options);
   const std::vector<compare::EngineEntry> with_managers =
-      with_scene_engines(engines, {.timeout = std::chrono::duration<double>(options.timeout)});
+      with_more_engines(engines, compare::scene_engines(peer_settings(options)));
   const Field field(with_managers, options.engines);
   check_before(options, field.engines());
   const Scene scene = read_scene(options.mesh_a, {.mesh_folder = options.mesh_folder});

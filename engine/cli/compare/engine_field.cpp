@@ -13,7 +13,9 @@ namespace {
 using compare::EngineEntry;
 
 std::vector<bool> chosen(std::string_view names, std::span<const EngineEntry> engines) {
-  std::vector<bool> is_chosen(engines.size(), names.empty());
+  std::vector<bool> is_chosen(engines.size());
+  for (std::size_t i = 0; i < engines.size(); ++i)
+    is_chosen[i] = names.empty() && !engines[i].is_only_if_named;
   while (!names.empty()) {
     const std::size_t end = std::min(names.find(','), names.size());
     const std::string_view name = names.substr(0, end);
@@ -102,15 +104,16 @@ std::vector<EngineEntry> engines_with(const compare::PeerSettings& settings,
   return engines;
 }
 
-std::vector<EngineEntry> with_scene_engines(std::span<const EngineEntry> engines,
-                                            const compare::PeerSettings& settings) {
+std::vector<EngineEntry> with_more_engines(std::span<const EngineEntry> engines,
+                                           std::vector<EngineEntry> more) {
   std::vector<EngineEntry> all;
-  all.reserve(engines.size());
+  all.reserve(engines.size() + more.size());
   for (const EngineEntry& entry : engines) {
-    all.push_back({entry.name, nullptr, entry.is_users_own, entry.recorded});
+    all.push_back(
+        {entry.name, nullptr, entry.is_users_own, entry.recorded, entry.is_only_if_named});
     if (entry.engine) all.back().engine = std::make_unique<Borrowed>(*entry.engine);
   }
-  for (EngineEntry& entry : compare::scene_engines(settings)) {
+  for (EngineEntry& entry : more) {
     const bool is_taken = std::any_of(
         all.begin(), all.end(), [&](const EngineEntry& each) { return each.name == entry.name; });
     if (is_taken) {

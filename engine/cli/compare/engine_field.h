@@ -15,16 +15,18 @@ namespace graze::cli {
 std::vector<compare::EngineEntry> engines_with(const compare::PeerSettings& settings,
                                                std::span<const std::string> commands);
 
-/// The same, and those that are for scenes alone. The engines must outlive the result.
-std::vector<compare::EngineEntry> with_scene_engines(std::span<const compare::EngineEntry> engines,
-                                                     const compare::PeerSettings& settings);
+/// The same and more of the command's own. Throws UsageError if an engine of the user's has the
+/// name of one. The engines must outlive the result.
+std::vector<compare::EngineEntry> with_more_engines(std::span<const compare::EngineEntry> engines,
+                                                    std::vector<compare::EngineEntry> more);
 
 /// The engines that take part, as if there were no others.
 class Field {
  public:
-  /// `names` are separated by commas; empty: all that are here. graze is always among them: it is
-  /// what is on trial; and so are engines of the user's own. Throws UsageError for a name that is
-  /// none, or of an engine that is not here. The engines must outlive this.
+  /// `names` are separated by commas; empty: all that are here and wait for no name. graze is
+  /// always among them: it is what is on trial; and so are engines of the user's own. Throws
+  /// UsageError for a name that is none, or of an engine that is not here. The engines must outlive
+  /// this.
   Field(std::span<const compare::EngineEntry> engines, std::string_view names);
 
   /// Adds the recorded answers of these files, each under the name of its engine, or, where that is

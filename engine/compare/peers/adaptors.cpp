@@ -8,11 +8,12 @@ namespace graze::compare {
 std::unique_ptr<Engine> make_adaptor(const std::string& name) {
 #if GRAZE_HAS_FCL
   if (name == "fcl") return make_fcl_engine();
-  if (name == "fcl-advancement") return make_fcl_advancement_engine();
+  if (std::unique_ptr<Engine> way = make_fcl_motion_engine(name)) return way;
   if (std::unique_ptr<Engine> manager = make_fcl_manager_engine(name)) return manager;
 #endif
 #if GRAZE_HAS_BULLET
   if (name == "bullet") return make_bullet_engine();
+  if (std::unique_ptr<Engine> casts = make_bullet_cast_engine(name)) return casts;
 #endif
 #if GRAZE_HAS_ODE
   if (name == "ode") return make_ode_engine();
@@ -31,6 +32,7 @@ std::string adaptor_names() {
     names += peer.name;
   };
   std::for_each(kKnownPeers.begin(), kKnownPeers.end(), add);
+  std::for_each(kMotionPeers.begin(), kMotionPeers.end(), add);
   std::for_each(kScenePeers.begin(), kScenePeers.end(), add);
   return names.empty() ? "none, as this was built" : names;
 }

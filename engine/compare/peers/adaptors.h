@@ -11,10 +11,13 @@ namespace graze::compare {
 // loaded: one thread of one process may ask, about one load at a time.
 
 std::unique_ptr<Engine> make_fcl_engine();
-std::unique_ptr<Engine> make_fcl_advancement_engine();
+/// FCL with other settings for motions than its own, of that name; null if there is none.
+std::unique_ptr<Engine> make_fcl_motion_engine(const std::string& name);
 /// FCL's manager of that name; null if there is none.
 std::unique_ptr<Engine> make_fcl_manager_engine(const std::string& name);
 std::unique_ptr<Engine> make_bullet_engine();
+/// Bullet's casts of that name, which know motions alone; null if there are none.
+std::unique_ptr<Engine> make_bullet_cast_engine(const std::string& name);
 std::unique_ptr<Engine> make_ode_engine();
 std::unique_ptr<Engine> make_coal_engine();
 

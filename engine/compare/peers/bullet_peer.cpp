@@ -1,51 +1,27 @@
 // Bullet behind the page that every engine has: GImpact meshes and shapes without margin, in
 // double. Its shapes keep state while they are asked.
 
+#include <graze/engine/cases/text/case_words.h>
 #include <graze/engine/compare/peers/adaptors.h>
+#include <graze/engine/compare/peers/bullet_casts.h>
+#include <graze/engine/compare/peers/bullet_geometry.h>
 #include <graze/engine/compare/peers/shape_answers.h>
 
 #include <BulletCollision/Gimpact/btGImpactCollisionAlgorithm.h>
 #include <BulletCollision/Gimpact/btGImpactShape.h>
-#include <btBulletCollisionCommon.h>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <memory>
-#include <variant>
-
-static_assert(sizeof(btScalar) == sizeof(double), "compile this file with BT_USE_DOUBLE_PRECISION");
 
 namespace graze::compare {
 namespace {
 
-btTransform to_bullet(const Pose& pose) {
-  return btTransform(btMatrix3x3(pose(0, 0), pose(0, 1), pose(0, 2), pose(1, 0), pose(1, 1),
-                                 pose(1, 2), pose(2, 0), pose(2, 1), pose(2, 2)),
-                     btVector3(pose(0, 3), pose(1, 3), pose(2, 3)));
-}
-
-btVector3 to_bullet(const Eigen::Vector3d& v) {
-  return {v.x(), v.y(), v.z()};
-}
-
-Eigen::Vector3d from_bullet(const btVector3& v) {
-  return {v.x(), v.y(), v.z()};
-}
-
-btTriangleMesh triangles_of(const Mesh& mesh) {
-  btTriangleMesh triangles;
-  for (std::size_t i = 0; i < mesh.triangles().size(); ++i) {
-    const Triangle t = mesh.triangle(i);
-    triangles.addTriangle({t.a.x(), t.a.y(), t.a.z()}, {t.b.x(), t.b.y(), t.b.z()},
-                          {t.c.x(), t.c.y(), t.c.z()});
-  }
-  return triangles;
-}
-
 class BulletMesh {
  public:
-  explicit BulletMesh(const Mesh& mesh) : triangles_(triangles_of(mesh)), shape_(&triangles_) {
+  explicit BulletMesh(const Mesh& mesh) : shape_(&triangles_) {
+    add_triangles(mesh, triangles_);
     shape_.setMargin(0);
     shape_.updateBound();
     object_.setCollisionShape(&shape_);
@@ -146,53 +122,17 @@ class BulletPair : public LoadedPair {
   mutable PairTest test_;
 };
 
-/// Bullet's shapes, with their axes along z and without margins. None for an ellipsoid.
-struct MakeShape {
-  std::unique_ptr<btCollisionShape> operator()(const Sphere& s) const {
-    return std::make_unique<btSphereShape>(s.radius);
-  }
-  std::unique_ptr<btCollisionShape> operator()(const Box& s) const {
-    return std::make_unique<btBoxShape>(to_bullet(s.half_extents));
-  }
-  std::unique_ptr<btCollisionShape> operator()(const Capsule& s) const {
-    return std::make_unique<btCapsuleShapeZ>(s.radius, 2 * s.half_length);
-  }
-  std::unique_ptr<btCollisionShape> operator()(const Cylinder& s) const {
-    return std::make_unique<btCylinderShapeZ>(btVector3(s.radius, s.radius, s.half_height));
-  }
-  std::unique_ptr<btCollisionShape> operator()(const Cone& s) const {
-    return std::make_unique<btConeShapeZ>(s.radius, 2 * s.half_height);
-  }
-  std::unique_ptr<btCollisionShape> operator()(const ConvexHull& s) const {
-    auto hull = std::make_unique<btConvexHullShape>();
-    for (std::size_t i = 0; i < s.vertex_count(); ++i)
-      hull->addPoint(to_bullet(s.vertex(i)), false);
-    hull->recalcLocalAabb();
-    return hull;
-  }
-  std::unique_ptr<btCollisionShape> operator()(const HalfSpace& s) const {
-    return std::make_unique<btStaticPlaneShape>(to_bullet(s.normal), s.offset);
-  }
-  std::unique_ptr<btCollisionShape> operator()(const Plane&) const { return nullptr; }
-  std::unique_ptr<btCollisionShape> operator()(const Ellipsoid&) const { return nullptr; }
-  std::unique_ptr<btCollisionShape> operator()(const Mesh&) const { return nullptr; }
-  std::unique_ptr<btCollisionShape> operator()(const HeightField&) const { return nullptr; }
-};
-
 /// Two objects of one shape, so that it can meet itself.
 class BulletShape {
  public:
-  explicit BulletShape(const Shape& shape) : kind_(shape.kind()) {
+  explicit BulletShape(const Shape& shape)
+      : kind_(shape.kind()), centre_(bullet_centre(shape)), shape_(bullet_shape(shape)) {
     if (const Mesh* mesh = shape.as<Mesh>()) {
       for (auto& each : meshes_)
         each = std::make_unique<BulletMesh>(*mesh);
       return;
     }
-    if (const auto* ball = shape.as<Sphere>()) centre_ = ball->centre;
-    shape_ = std::visit(MakeShape(), shape.value());
     if (!shape_) return;
-    const bool is_round = kind_ == ShapeKind::Sphere || kind_ == ShapeKind::Capsule;
-    if (!is_round) shape_->setMargin(0);  // the margin of these two is their radius
     for (btCollisionObject& object : objects_)
       object.setCollisionShape(shape_.get());
   }
@@ -209,7 +149,7 @@ class BulletShape {
 
  private:
   ShapeKind kind_;
-  Eigen::Vector3d centre_{0, 0, 0};
+  Eigen::Vector3d centre_;
   std::unique_ptr<btCollisionShape> shape_;
   std::array<btCollisionObject, 2> objects_;
   std::array<std::unique_ptr<BulletMesh>, 2> meshes_;
@@ -217,7 +157,7 @@ class BulletShape {
 
 class BulletShapes : public LoadedShapes {
  public:
-  explicit BulletShapes(std::span<const Shape> shapes) {
+  explicit BulletShapes(std::span<const Shape> shapes) : casts_(shapes, BulletCast::Continuous) {
     for (const Shape& shape : shapes)
       shapes_.push_back(std::make_unique<BulletShape>(shape));
   }
@@ -230,9 +170,10 @@ class BulletShapes : public LoadedShapes {
     return !test_.contacts(a.place(0, pose_a), b.place(1, pose_b)).empty();
   }
 
-  /// Of meshes GImpact knows no distance.
+  /// Of meshes GImpact knows no distance, and of first contacts two meshes are not known.
   std::optional<CaseAnswer> answer(const Question& question, const PlacedShape& placed_a,
                                    const PlacedShape& placed_b) const override {
+    if (cases::is_about_motion(question.ask)) return casts_.answer(question, placed_a, placed_b);
     BulletShape& a = *shapes_[placed_a.shape];
     BulletShape& b = *shapes_[placed_b.shape];
     if (!knows(a, b)) return std::nullopt;
@@ -265,13 +206,15 @@ class BulletShapes : public LoadedShapes {
 
   std::vector<std::unique_ptr<BulletShape>> shapes_;
   mutable PairTest test_;
+  BulletCasts casts_;
 };
 
 class BulletEngine : public Engine {
  public:
   CaseWitness name() const override { return {"bullet", std::to_string(btGetVersion())}; }
   std::optional<std::vector<Ask>> questions() const override {
-    return {{Ask::Any, Ask::Distance, Ask::Within, Ask::Contacts, Ask::Separation}};
+    return {{Ask::Any, Ask::Distance, Ask::Within, Ask::Contacts, Ask::Separation,
+             Ask::FirstContact, Ask::Free}};
   }
   std::unique_ptr<LoadedPair> load(const Mesh& mesh_a, const Mesh& mesh_b) const override {
     return std::make_unique<BulletPair>(mesh_a, mesh_b);

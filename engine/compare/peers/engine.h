@@ -161,6 +161,7 @@ struct EngineEntry {
   bool is_users_own = false;       ///< of start_engine()
   /// Then the engine only bears a name, and nothing can be asked of it. Null: it is asked.
   std::shared_ptr<const RecordedAnswers> recorded = nullptr;
+  bool is_only_if_named = false;  ///< it takes part where somebody names it
 };
 
 /// How engines in processes of their own are asked.
@@ -178,6 +179,10 @@ std::vector<EngineEntry> all_engines(const PeerSettings& settings = {});
 
 /// Those that are for scenes alone (Engine::answers_scenes()): FCL's managers.
 std::vector<EngineEntry> scene_engines(const PeerSettings& settings = {});
+
+/// Those that know motions alone and take part where they are named: FCL with each of its other
+/// settings, and Bullet's other casts.
+std::vector<EngineEntry> motion_engines(const PeerSettings& settings = {});
 
 /// In this process, from many threads.
 std::unique_ptr<Engine> make_graze_engine();

@@ -12,8 +12,8 @@ namespace graze::compare {
 /// FCL needs is built for the first such question. One thread at a time may ask.
 class FclMotions {
  public:
-  FclMotions(std::span<const Shape> shapes, FclContinuous how)
-      : shapes_(shapes.begin(), shapes.end()), how_(how) {}
+  FclMotions(std::span<const Shape> shapes, const FclMotionSettings& settings)
+      : shapes_(shapes.begin(), shapes.end()), settings_(settings) {}
 
   /// Of Ask::FirstContact and Free, without a clearance, which FCL does not know here. One time is
   /// all that it says of a contact.
@@ -23,7 +23,7 @@ class FclMotions {
  private:
   std::vector<Shape> shapes_;
   mutable std::vector<FclMover> movers_;
-  FclContinuous how_;
+  FclMotionSettings settings_;
 };
 
 }  // namespace graze::compare

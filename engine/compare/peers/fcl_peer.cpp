@@ -16,7 +16,7 @@ class FclPair : public LoadedPair {
   FclPair(const Mesh& mesh_a, const Mesh& mesh_b)
       : mesh_a_(mesh_a),
         mesh_b_(mesh_b),
-        motions_(std::array{Shape(mesh_a), Shape(mesh_b)}, FclContinuous::Sampled) {}
+        motions_(std::array{Shape(mesh_a), Shape(mesh_b)}, FclMotionSettings{}) {}
 
   std::optional<CaseAnswer> answer(const Question& question, const Pose& pose_a,
                                    const Pose& pose_b) const override {
@@ -57,7 +57,7 @@ class FclPair : public LoadedPair {
 
 class FclShapes : public LoadedShapes {
  public:
-  explicit FclShapes(std::span<const Shape> shapes) : motions_(shapes, FclContinuous::Sampled) {
+  explicit FclShapes(std::span<const Shape> shapes) : motions_(shapes, FclMotionSettings{}) {
     for (const Shape& shape : shapes)
       shapes_.emplace_back(shape);
   }

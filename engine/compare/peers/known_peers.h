@@ -31,6 +31,23 @@ inline constexpr std::array<KnownPeer, 5> kKnownPeers = {{{"fcl", GRAZE_HAS_FCL 
                                                           {"coal", GRAZE_HAS_COAL != 0},
                                                           {"fcl-advancement", GRAZE_HAS_FCL != 0}}};
 
+/// Those that know motions alone, with settings that hardly anybody chooses: they take part where
+/// they are named.
+inline constexpr std::array<KnownPeer, 13> kMotionPeers = {
+    {{"fcl-1000", GRAZE_HAS_FCL != 0},
+     {"fcl-swapped", GRAZE_HAS_FCL != 0},
+     {"fcl-translation", GRAZE_HAS_FCL != 0},
+     {"fcl-screw", GRAZE_HAS_FCL != 0},
+     {"fcl-spline", GRAZE_HAS_FCL != 0},
+     {"fcl-polynomial", GRAZE_HAS_FCL != 0},
+     {"fcl-advancement-swapped", GRAZE_HAS_FCL != 0},
+     {"fcl-advancement-indep", GRAZE_HAS_FCL != 0},
+     {"fcl-advancement-fine", GRAZE_HAS_FCL != 0},
+     {"fcl-advancement-translation", GRAZE_HAS_FCL != 0},
+     {"fcl-advancement-screw", GRAZE_HAS_FCL != 0},
+     {"bullet-subsimplex", GRAZE_HAS_BULLET != 0},
+     {"bullet-gjk", GRAZE_HAS_BULLET != 0}}};
+
 /// Those that are asked about all pairs of a scene at once, and about nothing else unless they are
 /// named.
 inline constexpr std::array<KnownPeer, 7> kScenePeers = {{{"fcl-tree", GRAZE_HAS_FCL != 0},

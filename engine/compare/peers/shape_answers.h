@@ -39,6 +39,19 @@ inline CaseAnswer answer_of_separation(const std::vector<CaseShapeContact>& cont
   return answer;
 }
 
+/// Of an engine that names one time of a first contact at most, to Ask::FirstContact and Free.
+inline CaseAnswer answer_of_motion(Ask ask, const std::optional<double>& contact) {
+  CaseAnswer answer;
+  if (ask == Ask::Free) {
+    answer.says = !contact;
+    return answer;
+  }
+  answer.status = contact ? RigidStatus::Hit : RigidStatus::Free;
+  answer.low = contact.value_or(1);
+  answer.high = answer.low;
+  return answer;
+}
+
 /// A contact of which the engine names no features: each counts as one of its own.
 inline void add_contact(const Eigen::Vector3d& point, const Eigen::Vector3d& normal, double depth,
                         std::vector<CaseShapeContact>& contacts) {

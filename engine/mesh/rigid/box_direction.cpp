@@ -1,13 +1,16 @@
 // Along which axis two boxes are furthest apart: those of the separating axis test, each divided by
-// its length. What comes out is only a direction to try, so that rounding needs no bound here.
+// its length, with the sums of bvh/value/separating_axes.h for two axes of B at a time. What comes
+// out is only a direction to try, so that rounding needs no bound here.
 
-#include <graze/bvh/value/separating_axes.h>
 #include <graze/engine/mesh/rigid/box_direction.h>
 
 #include <cmath>
 
 namespace graze {
 namespace {
+
+using narrowphase::are_greater, narrowphase::both, narrowphase::both_of, narrowphase::magnitude,
+    narrowphase::sign_bits;
 
 // Edges that are nearer to parallel have no cross product worth trying: squared sine.
 constexpr double kLeastSquare = 0x1p-10;
@@ -37,41 +40,80 @@ AxisSearch::AxisSearch(const PlacedBodies& placed, const BodyBox& a, const BodyB
 
 bool AxisSearch::try_faces(ApartDirection& direction) {
   if (holds_centre_) return false;
-  double turned[3][3];  // [axis of b][component]
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j)
-      turned[j][i] = dot_product(placed_.rotation[i], box_b_.axes[j]);
+  const double(&half_a)[3] = box_a_.half;
+  const double(&half_b)[3] = box_b_.half;
+  AlongB axes[3], turned[3];  // a component each, in the frames of the bodies B and A
+  for (int k = 0; k < 3; ++k) {
+    axes[k].at[0] = TwoLanes{box_b_.axes[0][k], box_b_.axes[1][k]};
+    axes[k].at[1] = TwoLanes{box_b_.axes[2][k], 0};
   }
+  const auto combined = [](const double(&row)[3], const AlongB(&of)[3], AlongB& to) {
+    for (int h = 0; h < 2; ++h)
+      to.at[h] =
+          (both(row[0]) * of[0].at[h] + both(row[1]) * of[1].at[h]) + both(row[2]) * of[2].at[h];
+  };
+  for (int i = 0; i < 3; ++i)
+    combined(placed_.rotation[i], axes, turned[i]);
   for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) {
-      rotation_[i][j] = dot_product(box_a_.axes[i], turned[j]);
-      size_[i][j] = std::abs(rotation_[i][j]);
-    }
+    combined(box_a_.axes[i], turned, rotation_[i]);
+    for (int h = 0; h < 2; ++h)
+      size_[i].at[h] = magnitude(rotation_[i].at[h]);
+    const AlongB& s = size_[i];
+    const double radius = ((half_a[i] + half_b[0] * s[0]) + half_b[1] * s[1]) + half_b[2] * s[2];
+    take(offset_[i], radius, 1, i, -1);
   }
-  const bvh::BoxesInFrame boxes{rotation_, size_, offset_, box_a_.half, box_b_.half};
-  for (int i = 0; i < 3; ++i) {
-    const bvh::AxisProjection of_a = bvh::along_axis_of_a(boxes, i);
-    take(of_a.distance, of_a.radius, 1, i, -1);
-    const bvh::AxisProjection of_b = bvh::along_axis_of_b(boxes, i);
-    take(of_b.distance, of_b.radius, 1, -1, i);
+  for (int h = 0; h < 2; ++h) {
+    const TwoLanes distance =
+        (both(offset_[0]) * rotation_[0].at[h] + both(offset_[1]) * rotation_[1].at[h]) +
+        both(offset_[2]) * rotation_[2].at[h];
+    const TwoLanes half = h == 0 ? TwoLanes{half_b[0], half_b[1]} : TwoLanes{half_b[2], 0};
+    const TwoLanes radius =
+        ((half + both(half_a[0]) * size_[0].at[h]) + both(half_a[1]) * size_[1].at[h]) +
+        both(half_a[2]) * size_[2].at[h];
+    take(distance[0], radius[0], 1, -1, 2 * h);
+    if (h == 0) take(distance[1], radius[1], 1, -1, 1);
   }
   if (i_ < 0 && j_ < 0) return false;
   set_direction(direction);
   return true;
 }
 
+/// Of one axis of A, with all three of B.
+template <int I>
+void AxisSearch::try_edges_of() {
+  constexpr int kOne = (I + 1) % 3, kTwo = (I + 2) % 3;
+  const double(&half_a)[3] = box_a_.half;
+  const double(&half_b)[3] = box_b_.half;
+  const AlongB &s = size_[I], &r = rotation_[I];
+  // What an axis of B adds is what the two others of B extend along the cross product.
+  const TwoLanes one[2] = {TwoLanes{half_b[1], half_b[2]} * TwoLanes{s[2], s[0]},
+                           TwoLanes{half_b[0] * s[1], 0}};
+  const TwoLanes two[2] = {TwoLanes{half_b[2], half_b[0]} * TwoLanes{s[1], s[2]},
+                           TwoLanes{half_b[1] * s[0], 0}};
+  for (int h = 0; h < 2; ++h) {
+    const TwoLanes distance =
+        both(offset_[kTwo]) * rotation_[kOne].at[h] - both(offset_[kOne]) * rotation_[kTwo].at[h];
+    const TwoLanes radius =
+        ((both(half_a[kOne]) * size_[kTwo].at[h] + both(half_a[kTwo]) * size_[kOne].at[h]) +
+         one[h]) +
+        two[h];
+    const TwoLanes square = both(1) - r.at[h] * r.at[h];
+    const TwoLanes apart = magnitude(distance) - radius;
+    const TwoLanes is_better = both_of(are_greater(apart, both(0)),
+                                       are_greater(apart * apart, both(gap_ * gap_) * square));
+    const unsigned better = sign_bits(both_of(is_better, are_greater(square, both(kLeastSquare))));
+    if (better == 0) continue;  // mostly
+    if ((better & 1) != 0) take(distance[0], radius[0], square[0], I, 2 * h);
+    if ((better & 2) != 0) take(distance[1], radius[1], square[1], I, 2 * h + 1);
+  }
+}
+
 bool AxisSearch::try_edges(ApartDirection& direction) {
   if (holds_centre_) return false;
   const double before = gap_;
-  const bvh::BoxesInFrame boxes{rotation_, size_, offset_, box_a_.half, box_b_.half};
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) {
-      const double square = 1 - rotation_[i][j] * rotation_[i][j];
-      if (!(square > kLeastSquare)) continue;
-      const bvh::AxisProjection seen = bvh::along_cross_product(boxes, i, j);
-      take(seen.distance, seen.radius, square, i, j);
-    }
-  }
+  try_edges_of<0>();
+  try_edges_of<1>();
+  try_edges_of<2>();
   if (!(gap_ > before)) return false;
   set_direction(direction);
   return true;

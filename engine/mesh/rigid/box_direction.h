@@ -3,6 +3,7 @@
 // Private to engine/mesh/rigid.
 
 #include <graze/engine/mesh/rigid/moving_pair.h>
+#include <graze/narrowphase/lanes/two_lanes.h>
 
 namespace graze {
 
@@ -21,6 +22,16 @@ class AxisSearch {
   bool try_edges(ApartDirection& direction);
 
  private:
+  using TwoLanes = narrowphase::TwoLanes;
+
+  /// Along the three axes of B: two, and the third beside a zero.
+  struct AlongB {
+    TwoLanes at[2];
+    double operator[](int j) const { return at[j / 2][j % 2]; }
+  };
+
+  template <int I>
+  void try_edges_of();
   void take(double distance, double radius, double square, int of_a, int of_b);
   void set_direction(ApartDirection& direction) const;
 
@@ -28,8 +39,8 @@ class AxisSearch {
   const BodyBox& box_a_;
   const BodyBox& box_b_;
   // Both boxes along the axes of the first.
-  double rotation_[3][3];
-  double size_[3][3];
+  AlongB rotation_[3];
+  AlongB size_[3];
   double offset_[3];
   bool holds_centre_ = true;  ///< A that of B: then no axis has them apart
   // The axis that is best so far.

@@ -166,7 +166,9 @@ void ContactWalk::decide(TrianglePair of_bodies, const DirectedCell& whole) {
     if (answer == Apart::Unsure || (cell.is_finest() && answer == Apart::AtEnds)) {
       next.has_direction = true;
       const std::uint64_t middle = span.first + (span.last - span.first) / 2;
-      if (triangles.is_near(middle, next.direction)) {
+      if (triangles.are_apart_by_normals(span, middle, next.direction)) {
+        answer = Apart::Always;
+      } else if (triangles.is_near(middle, next.direction)) {
         find_near(middle);
         next.has_direction = false;
       } else if (!cell.is_finest()) {

@@ -34,20 +34,7 @@ MovingPair::MovingPair(const MovingBody& a, const MovingBody& b,
     placed.time = kNever;
 }
 
-PlacedBodies& MovingPair::place_of(std::uint64_t time) {
-  // Times of a grid end in zeros; the product spreads them.
-  std::size_t place = (time * 0x9e3779b97f4a7c15u) >> 58;
-  if (placed_[place].time != time) {
-    const std::size_t other = place ^ 1;
-    if (placed_[other].time == time || place == recent_) place = other;
-  }
-  recent_ = place;
-  return placed_[place];
-}
-
-const PlacedBodies& MovingPair::at(std::uint64_t time) {
-  PlacedBodies& placed = place_of(time);
-  if (placed.time == time) return placed;
+void MovingPair::place(std::uint64_t time, PlacedBodies& placed) const {
   const double t = grid_.time(time);
   placed.time = time;
   placed.pose_a = a_.motion.at(t);
@@ -61,7 +48,6 @@ const PlacedBodies& MovingPair::at(std::uint64_t time) {
     for (int j = 0; j < 3; ++j)
       placed.rotation[i][j] = dot_product(m + 4 * i, n + 4 * j);
   }
-  return placed;
 }
 
 }  // namespace graze

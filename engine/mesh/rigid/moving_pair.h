@@ -47,7 +47,11 @@ class MovingPair {
   double rounding() const { return rounding_; }
 
   /// The bodies at a time of the grid; the reference outlives the next call, and no other.
-  const PlacedBodies& at(std::uint64_t time);
+  const PlacedBodies& at(std::uint64_t time) {
+    PlacedBodies& placed = place_of(time);
+    if (placed.time != time) place(time, placed);
+    return placed;
+  }
 
   /// How far two points, one of each body, at most so far from its axis, move against each other in
   /// the span, metres.
@@ -56,7 +60,17 @@ class MovingPair {
   }
 
  private:
-  PlacedBodies& place_of(std::uint64_t time);
+  PlacedBodies& place_of(std::uint64_t time) {
+    // Times of a grid end in zeros; the product spreads them.
+    std::size_t at = (time * 0x9e3779b97f4a7c15u) >> 58;
+    if (placed_[at].time != time) {
+      const std::size_t other = at ^ 1;
+      if (placed_[other].time == time || at == recent_) at = other;
+    }
+    recent_ = at;
+    return placed_[at];
+  }
+  void place(std::uint64_t time, PlacedBodies& placed) const;
 
   const MovingBody& a_;
   const MovingBody& b_;

@@ -156,6 +156,14 @@ std::vector<EngineEntry> scene_engines(const PeerSettings& settings) {
   return engines;
 }
 
+std::vector<EngineEntry> motion_engines(const PeerSettings& settings) {
+  std::vector<EngineEntry> engines;
+  add_peers(kMotionPeers, settings, engines);
+  for (EngineEntry& entry : engines)
+    entry.is_only_if_named = true;
+  return engines;
+}
+
 EngineEntry start_engine(const std::string& command, const PeerSettings& settings) {
   PeerProgram program = program_of_command(command, settings);
   try {

@@ -1,0 +1,163 @@
+#include <graze/engine/cases/text/case_words.h>
+#include <graze/engine/compare/peers/bullet_casts.h>
+#include <graze/engine/compare/peers/bullet_geometry.h>
+#include <graze/engine/compare/peers/shape_answers.h>
+
+#include <BulletCollision/NarrowPhaseCollision/btContinuousConvexCollision.h>
+#include <BulletCollision/NarrowPhaseCollision/btGjkConvexCast.h>
+#include <BulletCollision/NarrowPhaseCollision/btGjkEpaPenetrationDepthSolver.h>
+#include <BulletCollision/NarrowPhaseCollision/btSubSimplexConvexCast.h>
+#include <BulletCollision/NarrowPhaseCollision/btVoronoiSimplexSolver.h>
+#include <cmath>
+#include <optional>
+
+namespace graze::compare {
+
+/// A convex shape, a half-space or a mesh; or none of these, which Bullet does not cast.
+class BulletCasts::Body {
+ public:
+  explicit Body(const Shape& shape) : centre_(bullet_centre(shape)), shape_(bullet_shape(shape)) {
+    if (const Mesh* mesh = shape.as<Mesh>()) {
+      triangles_ = std::make_unique<btTriangleMesh>();
+      add_triangles(*mesh, *triangles_);
+      mesh_ = std::make_unique<btBvhTriangleMeshShape>(triangles_.get(), kIsQuantized);
+      mesh_->setMargin(0);
+    }
+  }
+
+  const Eigen::Vector3d& centre() const { return centre_; }
+  btBvhTriangleMeshShape* mesh() const { return mesh_.get(); }
+  const btConvexShape* convex() const {
+    return shape_ && shape_->isConvex() ? static_cast<const btConvexShape*>(shape_.get()) : nullptr;
+  }
+  const btStaticPlaneShape* half_space() const {
+    const bool is_one = shape_ && shape_->getShapeType() == STATIC_PLANE_PROXYTYPE;
+    return is_one ? static_cast<const btStaticPlaneShape*>(shape_.get()) : nullptr;
+  }
+
+ private:
+  static constexpr bool kIsQuantized = true;  // as its users have it
+
+  Eigen::Vector3d centre_;
+  std::unique_ptr<btCollisionShape> shape_;
+  std::unique_ptr<btTriangleMesh> triangles_;
+  std::unique_ptr<btBvhTriangleMeshShape> mesh_;
+};
+
+namespace {
+
+/// Bullet goes no further in one step, radians.
+constexpr double kMostTurnedByBullet = 0.25 * SIMD_PI;
+
+/// So far from the axis an origin may lie, as a share of its way to the centre: what rounding does.
+constexpr double kBesideTheAxis = 0x1p-40;
+
+/// From one pose of Bullet's to another: the origin goes straight.
+struct BulletWay {
+  btTransform from;
+  btTransform to;
+  bool turns;
+};
+
+btTransform bullet_pose(Pose pose, const Eigen::Vector3d& centre) {
+  pose.translation() = pose * centre;
+  return to_bullet(pose);
+}
+
+/// None if Bullet would go another way.
+std::optional<BulletWay> way_of(const Pose& pose, const std::optional<RigidCourse>& course,
+                                const Eigen::Vector3d& centre) {
+  const RigidMotion motion = course ? RigidMotion(pose, *course) : RigidMotion(pose);
+  if (std::abs(motion.angle()) >= kMostTurnedByBullet) return std::nullopt;
+  const Eigen::Vector3d arm = pose * centre - motion.centre();
+  if (motion.angle() != 0 && arm.cross(motion.axis()).norm() > kBesideTheAxis * arm.norm())
+    return std::nullopt;
+  return BulletWay{bullet_pose(pose, centre), bullet_pose(motion.at(1), centre),
+                   motion.angle() != 0};
+}
+
+/// What a cast found: nothing, for it does not know such a pair, or the time of a contact, or none.
+struct BulletFinding {
+  std::optional<double> contact;
+};
+
+BulletFinding finding_of(btConvexCast& cast, const BulletWay& a, const BulletWay& b) {
+  btConvexCast::CastResult result;
+  result.m_fraction = 1;
+  if (!cast.calcTimeOfImpact(a.from, a.to, b.from, b.to, result)) return {};
+  return {result.m_fraction};
+}
+
+std::optional<BulletFinding> cast_convex(BulletCast how, const btConvexShape& shape_a,
+                                         const BulletWay& a, const btConvexShape& shape_b,
+                                         const BulletWay& b) {
+  btVoronoiSimplexSolver simplex;
+  if (how == BulletCast::Continuous) {
+    btGjkEpaPenetrationDepthSolver depth;
+    btContinuousConvexCollision cast(&shape_a, &shape_b, &simplex, &depth);
+    return finding_of(cast, a, b);
+  }
+  if (a.turns || b.turns) return std::nullopt;
+  if (how == BulletCast::Subsimplex) {
+    btSubsimplexConvexCast cast(&shape_a, &shape_b, &simplex);
+    return finding_of(cast, a, b);
+  }
+  btGjkConvexCast cast(&shape_a, &shape_b, &simplex);
+  return finding_of(cast, a, b);
+}
+
+/// Bullet's mesh rests: what is cast at it goes as seen from the mesh.
+std::optional<BulletFinding> cast_at_mesh(const btConvexShape& shape, const BulletWay& moving,
+                                          btBvhTriangleMeshShape& mesh, const BulletWay& way) {
+  if (way.turns) return std::nullopt;
+  btTransform to = moving.to;
+  to.setOrigin(to.getOrigin() - (way.to.getOrigin() - way.from.getOrigin()));
+  btCollisionObject object;
+  object.setCollisionShape(&mesh);
+  object.setWorldTransform(way.from);
+  btCollisionWorld::ClosestConvexResultCallback nearest(moving.from.getOrigin(), to.getOrigin());
+  btCollisionWorld::objectQuerySingle(&shape, moving.from, to, &object, &mesh, way.from, nearest,
+                                      0);
+  BulletFinding finding;
+  if (nearest.hasHit()) finding.contact = nearest.m_closestHitFraction;
+  return finding;
+}
+
+}  // namespace
+
+BulletCasts::BulletCasts(std::span<const Shape> shapes, BulletCast how)
+    : shapes_(shapes.begin(), shapes.end()), how_(how) {}
+BulletCasts::~BulletCasts() = default;
+
+std::optional<CaseAnswer> BulletCasts::answer(const Question& question, const PlacedShape& a,
+                                              const PlacedShape& b) const {
+  if (!cases::is_about_motion(question.ask) || question.settings.clearance != 0)
+    return std::nullopt;
+  bodies_.resize(shapes_.size());
+  for (const std::size_t shape : {a.shape, b.shape}) {
+    if (!bodies_[shape]) bodies_[shape] = std::make_unique<Body>(shapes_[shape]);
+  }
+  const Body &one = *bodies_[a.shape], &two = *bodies_[b.shape];
+  const std::optional<BulletWay> way_a = way_of(a.pose, question.course_a, one.centre());
+  const std::optional<BulletWay> way_b = way_of(b.pose, question.course_b, two.centre());
+  if (!way_a || !way_b) return std::nullopt;
+  const bool is_first = how_ == BulletCast::Continuous;
+  std::optional<BulletFinding> found;
+  if (one.convex() && two.convex()) {
+    found = cast_convex(how_, *one.convex(), *way_a, *two.convex(), *way_b);
+  } else if (is_first && one.convex() && two.half_space()) {
+    btContinuousConvexCollision cast(one.convex(), two.half_space());
+    found = finding_of(cast, *way_a, *way_b);
+  } else if (is_first && one.half_space() && two.convex()) {
+    btContinuousConvexCollision cast(two.convex(), one.half_space());
+    found = finding_of(cast, *way_b, *way_a);
+  } else if (is_first && one.convex() && two.mesh()) {
+    found = cast_at_mesh(*one.convex(), *way_a, *two.mesh(), *way_b);
+  } else if (is_first && one.mesh() && two.convex()) {
+    found = cast_at_mesh(*two.convex(), *way_b, *one.mesh(), *way_a);
+  }
+  if (!found) return std::nullopt;
+  return answer_of_motion(question.ask, found->contact);
+}
+
+}  // namespace graze::compare
