@@ -169,8 +169,7 @@ HWY_INLINE void start_walk(const RayTree& tree, const RayToWalk& ray, RayWalkSta
   if (entry.enter == kNever) return;
   state.start = entry.enter;
   state.aim = ray.aim;
-  state.rows = ray.rows;
-  state.row_size = ray.row_size;
+  state.primitives = ray.primitives;
   alignas(32) double origin[4];
   start_boxes(local, entry, state, origin);
   start_leaves(local, entry, origin, state);

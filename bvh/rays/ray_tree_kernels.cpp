@@ -43,6 +43,7 @@ HWY_INLINE void fetch(const RayTree& tree, const RayNode& node, std::uint32_t la
     const RayChild child = node.child[take_lane(lanes)];
     if (child.is_leaf()) {
       hwy::Prefetch(tree.corners.get() + std::size_t{3} * child.place());
+      hwy::Prefetch(tree.primitives + child.place());
     } else {
       const auto* bytes = reinterpret_cast<const std::byte*>(&tree.node(child.where()));
       for (std::size_t i = 0; i < sizeof(RayNode); i += 64)
@@ -77,7 +78,15 @@ HWY_INLINE std::size_t visit_leaf(const RayTree& tree, const RayNode& node, std:
                                   RayWalkState& state, RayCandidate* found, bool& is_surely_hit) {
   const RayChild leaf = node.child[lane_of];
   const std::uint32_t* const primitives = tree.primitives + leaf.place();
-  hwy::Prefetch(primitives);
+  // A row of indices and its points are two misses, one after the other: the first begins before it
+  // is known whose row counts.
+  const PrimitivePoints& ahead = state.primitives;
+  if (ahead.points != nullptr) {
+    for (std::uint32_t i = 0; i < leaf.count(); ++i)
+      hwy::Prefetch(ahead.indices + primitives[i]);
+  } else {
+    hwy::Prefetch(primitives);
+  }
   const SeenLeaf seen(node, lane_of, state);
   alignas(32) float least[RayTree::kLeafSize], most[RayTree::kLeafSize];
   LeafAnswer answer = ask_leaf(tree.corners.get() + std::size_t{3} * leaf.place(), leaf.count(),
@@ -94,7 +103,12 @@ HWY_INLINE std::size_t visit_leaf(const RayTree& tree, const RayNode& node, std:
     const std::uint32_t lane = take_lane(answer.near);
     if (least[lane] > state.limit) continue;
     const std::uint32_t primitive = primitives[lane];
-    hwy::Prefetch(state.rows + primitive * state.row_size);
+    if (ahead.points != nullptr) {
+      for (const std::uint32_t point : ahead.indices[primitive])
+        hwy::Prefetch(ahead.points + std::size_t{3} * point);
+    } else {
+      hwy::Prefetch(ahead.indices + primitive);
+    }
     found[size++] = {primitive, least[lane], (answer.sure >> lane & 1) != 0};
   }
   return size;

@@ -40,13 +40,28 @@ class MeshForRays {
   template <typename OnHit>
   void for_each_hit(const Ray& ray, bvh::RayAim aim, OnHit&& on_hit) const {
     const narrowphase::PreparedRay prepared(ray);
-    bvh::RayTreeWalk walk(rays_.tree);
+    bvh::RayTreeWalk walk;
     Candidates found;
-    begin(walk, prepared, aim, found);
+    begin(walk, prepared, aim, vertices_->data(), found);
     finish(walk, prepared, found, on_hit);
   }
 
-  const bvh::RayTree& tree() const { return rays_.tree; }
+  bool is_met(const Ray& ray) const {
+    const narrowphase::PreparedRay prepared(ray);
+    bvh::RayTreeWalk walk;
+    Candidates found;
+    begin(walk, prepared, bvh::RayAim::Any, nullptr, found);
+    // Where there is a sure one, a walk ends with it.
+    for (std::size_t i = found.size; i-- > 0;) {
+      if (found.items[i].is_sure) return true;
+    }
+    bool is_met = false;
+    finish(walk, prepared, found, [&](const TriangleRayHit&, std::uint32_t) {
+      is_met = true;
+      return kEnough;
+    });
+    return is_met;
+  }
 
   RayHit hit_of(const TriangleRayHit& hit, std::uint32_t index) const {
     const auto& materials = MeshAccess::data(placed_.mesh).materials;
@@ -61,15 +76,15 @@ class MeshForRays {
 
   /// The first part of for_each_hit(), and all that it waits for memory for.
   void begin(bvh::RayTreeWalk& walk, const narrowphase::PreparedRay& ray, bvh::RayAim aim,
-             Candidates& found) const {
+             const double* points, Candidates& found) const {
     bvh::RayWalkCounts counts;
-    found.size = walk.begin({.frame = frame_,
+    found.size = walk.begin(rays_.tree,
+                            {.frame = frame_,
                              .origin = ray.ray.origin.data(),
                              .direction = ray.scaled.component,
                              .limit = limit_for(ray, ray.ray.max_distance),
                              .aim = aim,
-                             .rows = reinterpret_cast<const std::byte*>(triangles_.data()),
-                             .row_size = sizeof(TriangleIndices)},
+                             .primitives = {triangles_.data(), points}},
                             found.items, counts);
     count(counts);
   }
@@ -94,7 +109,7 @@ class MeshForRays {
       }
       if (walk.is_done()) return;
       bvh::RayWalkCounts counts;
-      found.size = walk.go_on(found.items, counts);
+      found.size = walk.go_on(rays_.tree, found.items, counts);
       count(counts);
     }
   }
@@ -187,25 +202,24 @@ struct FirstHit {
 
 /// One of several rays whose walks alternate, so that what one waits for comes while another goes.
 struct RayInTurn {
-  RayInTurn(const MeshForRays& mesh, const Ray& asked) : ray(asked), walk(mesh.tree()) {
-    mesh.begin(walk, ray, bvh::RayAim::First, found);
-  }
-
-  narrowphase::PreparedRay ray;
+  std::optional<narrowphase::PreparedRay> ray;
   bvh::RayTreeWalk walk;
   MeshForRays::Candidates found;
 };
 constexpr std::size_t kInTurn = 8;
 
-void first_hits(const MeshForRays& mesh, std::span<const Ray> rays, std::optional<RayHit>* hits) {
-  std::optional<RayInTurn> in_turn[kInTurn];
-  for (std::size_t i = 0; i < rays.size(); ++i)
-    in_turn[i].emplace(mesh, rays[i]);
-  for (std::size_t i = 0; i < rays.size(); ++i)
-    mesh.fetch_corners(in_turn[i]->found);
+void first_hits(const MeshForRays& mesh, std::span<const Ray> rays, std::optional<RayHit>* hits,
+                RayInTurn (&in_turn)[kInTurn]) {
   for (std::size_t i = 0; i < rays.size(); ++i) {
+    RayInTurn& turn = in_turn[i];
+    mesh.begin(turn.walk, turn.ray.emplace(rays[i]), bvh::RayAim::First, nullptr, turn.found);
+  }
+  for (std::size_t i = 0; i < rays.size(); ++i)
+    mesh.fetch_corners(in_turn[i].found);
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    RayInTurn& turn = in_turn[i];
     hits[i].reset();
-    mesh.finish(in_turn[i]->walk, in_turn[i]->ray, in_turn[i]->found, FirstHit{mesh, hits[i]});
+    mesh.finish(turn.walk, *turn.ray, turn.found, FirstHit{mesh, hits[i]});
   }
 }
 
@@ -226,13 +240,7 @@ bool intersects(const PlacedMeshView& mesh, const Ray& ray, Work* work) {
   return bvh::in_standard_arithmetic([&] {
     check_ray(ray, "ray");
     CountedWork counted(work);
-    bool is_met = false;
-    MeshForRays(mesh, counted.work())
-        .for_each_hit(ray, bvh::RayAim::Any, [&](const TriangleRayHit&, std::uint32_t) {
-          is_met = true;
-          return kEnough;
-        });
-    return is_met;
+    return MeshForRays(mesh, counted.work()).is_met(ray);
   });
 }
 
@@ -260,8 +268,10 @@ void cast_rays(const PlacedMeshView& mesh, std::span<const Ray> rays,
     CountedWork counted(work);
     const MeshForRays for_rays(mesh, counted.work());
     hits.resize(rays.size());
+    RayInTurn in_turn[kInTurn];
     for (std::size_t i = 0; i < rays.size(); i += kInTurn)
-      first_hits(for_rays, rays.subspan(i, std::min(kInTurn, rays.size() - i)), hits.data() + i);
+      first_hits(for_rays, rays.subspan(i, std::min(kInTurn, rays.size() - i)), hits.data() + i,
+                 in_turn);
   });
 }
 
