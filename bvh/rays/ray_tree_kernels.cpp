@@ -114,12 +114,11 @@ HWY_INLINE std::size_t visit_leaf(const RayTree& tree, const RayNode& node, std:
   return size;
 }
 
-std::size_t walk_from_open(const RayTree& tree, RayWalkState& state, std::span<RayCandidate> found,
-                           RayWalkCounts& counts) {
+HWY_INLINE std::size_t walk(const RayTree& tree, RayWalkState& state, Open* end) {
   const RayBoxes boxes(state);
-  Open* end = state.open + state.open_count;
+  const std::span<RayCandidate> found = state.found;
   std::size_t size = 0;
-  std::uint32_t tested = 0, met = 0;
+  std::uint32_t tested = 0, met = 0, primitives = 0;
   bool is_surely_hit = false;
   while (end != state.open && size + RayTree::kLeafSize <= found.size()) {
     Open top = *--end;
@@ -139,24 +138,26 @@ std::size_t walk_from_open(const RayTree& tree, RayWalkState& state, std::span<R
       child = node->child[lane_of(top)];
     }
     if (lanes == 0) continue;
-    counts.primitives += child.count();
+    primitives += child.count();
     size += visit_leaf(tree, *node, lane_of(top), state, found.data() + size, is_surely_hit);
     if (is_surely_hit && state.aim == RayAim::Any) end = state.open;
   }
-  counts.boxes += RayNode::kWidth * tested;
-  counts.missed_boxes += RayNode::kWidth * tested - met;
+  state.counts = {RayNode::kWidth * tested, RayNode::kWidth * tested - met, primitives};
   state.open_count = static_cast<std::uint32_t>(end - state.open);
   return size;
 }
 
+std::size_t walk_from_open(const RayTree& tree, RayWalkState& state) {
+  return walk(tree, state, state.open + state.open_count);
+}
+
 /// The beginning of a walk, and all of most.
-std::size_t walk_from_root(const RayTree& tree, const RayToWalk& ray, RayWalkState& state,
-                           std::span<RayCandidate> found, RayWalkCounts& counts) {
+std::size_t walk_from_root(const RayTree& tree, const RayToWalk& ray, RayWalkState& state) {
   start_walk(tree, ray, state);
   if (state.open_count == 0) return 0;
   // The root is a child of the node in front of it.
   state.open[0] = opened(0, 0, 0);
-  return walk_from_open(tree, state, found, counts);
+  return walk(tree, state, state.open + 1);
 }
 
 }  // namespace
@@ -169,14 +170,12 @@ namespace graze::bvh {
 HWY_EXPORT(walk_from_root);
 HWY_EXPORT(walk_from_open);
 
-std::size_t begin_ray_walk(const RayTree& tree, const RayToWalk& ray, RayWalkState& state,
-                           std::span<RayCandidate> found, RayWalkCounts& counts) {
-  return HWY_DYNAMIC_DISPATCH(walk_from_root)(tree, ray, state, found, counts);
+std::size_t begin_ray_walk(const RayTree& tree, const RayToWalk& ray, RayWalkState& state) {
+  return HWY_DYNAMIC_DISPATCH(walk_from_root)(tree, ray, state);
 }
 
-std::size_t walk_ray_tree(const RayTree& tree, RayWalkState& state, std::span<RayCandidate> found,
-                          RayWalkCounts& counts) {
-  return HWY_DYNAMIC_DISPATCH(walk_from_open)(tree, state, found, counts);
+std::size_t walk_ray_tree(const RayTree& tree, RayWalkState& state) {
+  return HWY_DYNAMIC_DISPATCH(walk_from_open)(tree, state);
 }
 
 }  // namespace graze::bvh

@@ -84,7 +84,8 @@ struct RayWalkState {
   alignas(16) float inverse[4];
   alignas(16) float near[4];
   alignas(16) float far[4];
-  std::uint32_t near_row[3];  ///< of RayNode::box, as a number of floats
+  std::size_t near_row[3];  ///< of RayNode::box, as a number of floats
+  std::size_t far_row[3];
   // For leaves, along x, y and z.
   const RayAxes* axes;
   double origin[3];
@@ -97,20 +98,21 @@ struct RayWalkState {
   float sure_limit;  ///< s below it count, whatever is rounded
   RayAim aim;
   PrimitivePoints primitives;
+  // What the caller has room for, and gets.
+  std::span<RayCandidate> found;
+  RayWalkCounts counts;
   bool is_blind;
   std::uint32_t open_count;
   Open* open;
   double start;
 };
 
-// The kernels.
+// The kernels: how many they found.
 
-/// The beginning of a walk, and all of most: fills in all but `open`.
-std::size_t begin_ray_walk(const RayTree& tree, const RayToWalk& ray, RayWalkState& state,
-                           std::span<RayCandidate> found, RayWalkCounts& counts);
+/// The beginning of a walk, and all of most: fills in all but `open` and `found`.
+std::size_t begin_ray_walk(const RayTree& tree, const RayToWalk& ray, RayWalkState& state);
 
-std::size_t walk_ray_tree(const RayTree& tree, RayWalkState& state, std::span<RayCandidate> found,
-                          RayWalkCounts& counts);
+std::size_t walk_ray_tree(const RayTree& tree, RayWalkState& state);
 
 /// A walk that may be interrupted.
 class RayTreeWalk {
@@ -120,16 +122,18 @@ class RayTreeWalk {
   RayTreeWalk& operator=(const RayTreeWalk&) = delete;
 
   /// Up to `found.size()` candidates, at least kAtOnce, roughly from near to far; how many.
-  std::size_t begin(const RayTree& tree, const RayToWalk& ray, std::span<RayCandidate> found,
-                    RayWalkCounts& counts) {
+  std::size_t begin(const RayTree& tree, const RayToWalk& ray, std::span<RayCandidate> found) {
     state_.open = tree.most_open > kRoom ? more_room(tree.most_open) : room_;
-    return begin_ray_walk(tree, ray, state_, found, counts);
+    state_.found = found;
+    return begin_ray_walk(tree, ray, state_);
   }
 
-  /// More of them, unless all have been found.
-  std::size_t go_on(const RayTree& tree, std::span<RayCandidate> found, RayWalkCounts& counts) {
-    return is_done() ? 0 : walk_ray_tree(tree, state_, found, counts);
-  }
+  /// More of them, in the same place, unless all have been found.
+  std::size_t go_on(const RayTree& tree) { return is_done() ? 0 : walk_ray_tree(tree, state_); }
+
+  /// What the last of these two did.
+  const RayWalkCounts& counts() const { return state_.counts; }
+
   static constexpr std::size_t kAtOnce = RayTree::kLeafSize;
   bool is_done() const { return state_.open_count == 0; }
 

@@ -16,7 +16,6 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstdint>
 
@@ -54,15 +53,6 @@ double largest_component(const double* v) {
 }
 
 }  // namespace
-
-bool is_identity(const Pose& pose) {
-  // Each ray asks: a call of memcmp() takes longer.
-  constexpr auto kOne = std::bit_cast<std::uint64_t>(1.0);
-  std::uint64_t differences = 0;
-  for (int i = 0; i < 16; ++i)
-    differences |= std::bit_cast<std::uint64_t>(pose.data()[i]) ^ (i % 5 == 0 ? kOne : 0);
-  return differences == 0;
-}
 
 bvh::RayFrame ray_frame_of(const PlacedMeshView& placed, const bvh::LocalFrame& local) {
   const Aabb& bounds = placed.mesh.bounds();

@@ -89,7 +89,6 @@ TEST(RayTree, WithoutNodesLeavesAllToBeAsked) {
   const bvh::RayFrame frame{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}, {0, 0, 0}, 1, 0};
   const double origin[3] = {0, 0, 3}, direction[3] = {0, 0, -1};
   bvh::RayCandidate found[bvh::RayTreeWalk::kAtOnce];
-  bvh::RayWalkCounts counts;
   bvh::RayTreeWalk walk;
   EXPECT_EQ(walk.begin(none,
                        {.frame = frame,
@@ -98,7 +97,7 @@ TEST(RayTree, WithoutNodesLeavesAllToBeAsked) {
                         .limit = 9,
                         .aim = bvh::RayAim::First,
                         .primitives = {}},
-                       found, counts),
+                       found),
             0u);
   EXPECT_TRUE(walk.is_blind());
 }
