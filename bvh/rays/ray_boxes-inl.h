@@ -29,14 +29,13 @@ HWY_INLINE std::uint32_t ray_bits(Mask mask) {
 /// What boxes are asked with.
 class RayBoxes {
  public:
-  HWY_INLINE explicit RayBoxes(const RayWalkState& ray) {
+  HWY_INLINE explicit RayBoxes(const RayWalkState& ray)
+      : near_row_(ray.near_row), far_row_(ray.far_row) {
     const RayTag tag;
     for (std::size_t k = 0; k < 3; ++k) {
       inverse_[k] = hn::Set(tag, ray.inverse[k]);
       near_[k] = hn::Set(tag, ray.near[k]);
       far_[k] = hn::Set(tag, ray.far[k]);
-      near_row_[k] = ray.near_row[k];
-      far_row_[k] = near_row_[k] ^ RayNode::kWidth;
     }
   }
 
@@ -63,7 +62,8 @@ class RayBoxes {
 
  private:
   RayLanes inverse_[3], near_[3], far_[3];
-  std::size_t near_row_[3], far_row_[3];
+  const std::size_t (&near_row_)[3];
+  const std::size_t (&far_row_)[3];
 };
 
 }  // namespace

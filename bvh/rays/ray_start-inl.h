@@ -118,9 +118,10 @@ HWY_INLINE void start_boxes(const LocalRay& ray, const RayEntry& entry, RayWalkS
     hn::Store(hn::Sub(hn::Neg(at_origin), padded), floats, state.near + i);
     hn::Store(hn::Sub(padded, at_origin), floats, state.far + i);
   }
-  for (std::uint32_t k = 0; k < 3; ++k) {
-    const std::uint32_t is_backwards = std::bit_cast<std::uint32_t>(state.inverse[k]) >> 31;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t is_backwards = std::bit_cast<std::uint32_t>(state.inverse[k]) >> 31;
     state.near_row[k] = (2 * k + is_backwards) * RayNode::kWidth;
+    state.far_row[k] = state.near_row[k] ^ RayNode::kWidth;
   }
 }
 
@@ -144,7 +145,8 @@ HWY_INLINE void start_leaves(const LocalRay& ray, const RayEntry& entry, const d
   const double x = std::abs(ray.direction[0]), y = std::abs(ray.direction[1]),
                z = std::abs(ray.direction[2]);
   // Without a branch, which is mispredicted where rays go anywhere.
-  const std::size_t most = z > HWY_MAX(x, y) ? 2 : static_cast<std::size_t>(y > x);
+  const std::size_t is_z = static_cast<std::size_t>(z > x) & static_cast<std::size_t>(z > y);
+  const std::size_t most = 2 * is_z | (static_cast<std::size_t>(y > x) & ~is_z);
   const RayAxes& axes = kRayAxes[most];
   state.axes = &axes;
   state.along = entry.inverse[most];
@@ -162,6 +164,7 @@ HWY_INLINE void start_leaves(const LocalRay& ray, const RayEntry& entry, const d
 HWY_INLINE void start_walk(const RayTree& tree, const RayToWalk& ray, RayWalkState& state) {
   const LocalRay local(ray);
   state.open_count = 0;
+  state.counts = {};
   // A NaN compares as false.
   state.is_blind = !(local.slack < kMostSlack && tree.node_count != 0);
   if (state.is_blind) return;
@@ -169,8 +172,7 @@ HWY_INLINE void start_walk(const RayTree& tree, const RayToWalk& ray, RayWalkSta
   if (entry.enter == kNever) return;
   state.start = entry.enter;
   state.aim = ray.aim;
-  state.rows = ray.rows;
-  state.row_size = ray.row_size;
+  state.primitives = ray.primitives;
   alignas(32) double origin[4];
   start_boxes(local, entry, state, origin);
   start_leaves(local, entry, origin, state);

@@ -1,11 +1,8 @@
 #include <graze/bvh/floating_point/standard_arithmetic.h>
+#include <graze/bvh/rays/large_pages.h>
 #include <graze/bvh/rays/ray_groups.h>
 #include <graze/bvh/rays/ray_tree.h>
 #include <graze/bvh/value/parallel.h>
-
-#ifdef __linux__
-#include <sys/mman.h>
-#endif
 
 #include <algorithm>
 #include <cmath>
@@ -109,18 +106,11 @@ void fill_leaves(const RayNode& node, const Tree& tree, const LocalCorners& corn
   }
 }
 
-// A walk reads here and there: in pages of 4 KiB it would miss their table as often as the cache.
-constexpr std::align_val_t kLargePage{std::size_t{1} << 21};
-constexpr std::size_t kWorthLargePages = std::size_t{1} << 22;
-
 template <typename Item>
 std::unique_ptr<Item[], RayTree::LargePages> in_large_pages(std::size_t count) {
   const std::size_t bytes = count * sizeof(Item);
   void* memory = ::operator new(bytes, kLargePage);
-#ifdef __linux__
-  // Where it is refused the pages are small.
-  if (bytes >= kWorthLargePages) static_cast<void>(madvise(memory, bytes, MADV_HUGEPAGE));
-#endif
+  ask_for_large_pages(memory, bytes);
   return std::unique_ptr<Item[], RayTree::LargePages>(static_cast<Item*>(memory));
 }
 

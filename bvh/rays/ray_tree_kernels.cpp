@@ -43,6 +43,7 @@ HWY_INLINE void fetch(const RayTree& tree, const RayNode& node, std::uint32_t la
     const RayChild child = node.child[take_lane(lanes)];
     if (child.is_leaf()) {
       hwy::Prefetch(tree.corners.get() + std::size_t{3} * child.place());
+      hwy::Prefetch(tree.primitives + child.place());
     } else {
       const auto* bytes = reinterpret_cast<const std::byte*>(&tree.node(child.where()));
       for (std::size_t i = 0; i < sizeof(RayNode); i += 64)
@@ -77,7 +78,15 @@ HWY_INLINE std::size_t visit_leaf(const RayTree& tree, const RayNode& node, std:
                                   RayWalkState& state, RayCandidate* found, bool& is_surely_hit) {
   const RayChild leaf = node.child[lane_of];
   const std::uint32_t* const primitives = tree.primitives + leaf.place();
-  hwy::Prefetch(primitives);
+  // A row of indices and its points are two misses, one after the other: the first begins before it
+  // is known whose row counts.
+  const PrimitivePoints& ahead = state.primitives;
+  if (ahead.points != nullptr) {
+    for (std::uint32_t i = 0; i < leaf.count(); ++i)
+      hwy::Prefetch(ahead.indices + primitives[i]);
+  } else {
+    hwy::Prefetch(primitives);
+  }
   const SeenLeaf seen(node, lane_of, state);
   alignas(32) float least[RayTree::kLeafSize], most[RayTree::kLeafSize];
   LeafAnswer answer = ask_leaf(tree.corners.get() + std::size_t{3} * leaf.place(), leaf.count(),
@@ -94,18 +103,22 @@ HWY_INLINE std::size_t visit_leaf(const RayTree& tree, const RayNode& node, std:
     const std::uint32_t lane = take_lane(answer.near);
     if (least[lane] > state.limit) continue;
     const std::uint32_t primitive = primitives[lane];
-    hwy::Prefetch(state.rows + primitive * state.row_size);
+    if (ahead.points != nullptr) {
+      for (const std::uint32_t point : ahead.indices[primitive])
+        hwy::Prefetch(ahead.points + std::size_t{3} * point);
+    } else {
+      hwy::Prefetch(ahead.indices + primitive);
+    }
     found[size++] = {primitive, least[lane], (answer.sure >> lane & 1) != 0};
   }
   return size;
 }
 
-std::size_t walk_from_open(const RayTree& tree, RayWalkState& state, std::span<RayCandidate> found,
-                           RayWalkCounts& counts) {
+HWY_INLINE std::size_t walk(const RayTree& tree, RayWalkState& state, Open* end) {
   const RayBoxes boxes(state);
-  Open* end = state.open + state.open_count;
+  const std::span<RayCandidate> found = state.found;
   std::size_t size = 0;
-  std::uint32_t tested = 0, met = 0;
+  std::uint32_t tested = 0, met = 0, primitives = 0;
   bool is_surely_hit = false;
   while (end != state.open && size + RayTree::kLeafSize <= found.size()) {
     Open top = *--end;
@@ -125,24 +138,26 @@ std::size_t walk_from_open(const RayTree& tree, RayWalkState& state, std::span<R
       child = node->child[lane_of(top)];
     }
     if (lanes == 0) continue;
-    counts.primitives += child.count();
+    primitives += child.count();
     size += visit_leaf(tree, *node, lane_of(top), state, found.data() + size, is_surely_hit);
     if (is_surely_hit && state.aim == RayAim::Any) end = state.open;
   }
-  counts.boxes += RayNode::kWidth * tested;
-  counts.missed_boxes += RayNode::kWidth * tested - met;
+  state.counts = {RayNode::kWidth * tested, RayNode::kWidth * tested - met, primitives};
   state.open_count = static_cast<std::uint32_t>(end - state.open);
   return size;
 }
 
+std::size_t walk_from_open(const RayTree& tree, RayWalkState& state) {
+  return walk(tree, state, state.open + state.open_count);
+}
+
 /// The beginning of a walk, and all of most.
-std::size_t walk_from_root(const RayTree& tree, const RayToWalk& ray, RayWalkState& state,
-                           std::span<RayCandidate> found, RayWalkCounts& counts) {
+std::size_t walk_from_root(const RayTree& tree, const RayToWalk& ray, RayWalkState& state) {
   start_walk(tree, ray, state);
   if (state.open_count == 0) return 0;
   // The root is a child of the node in front of it.
   state.open[0] = opened(0, 0, 0);
-  return walk_from_open(tree, state, found, counts);
+  return walk(tree, state, state.open + 1);
 }
 
 }  // namespace
@@ -155,14 +170,12 @@ namespace graze::bvh {
 HWY_EXPORT(walk_from_root);
 HWY_EXPORT(walk_from_open);
 
-std::size_t begin_ray_walk(const RayTree& tree, const RayToWalk& ray, RayWalkState& state,
-                           std::span<RayCandidate> found, RayWalkCounts& counts) {
-  return HWY_DYNAMIC_DISPATCH(walk_from_root)(tree, ray, state, found, counts);
+std::size_t begin_ray_walk(const RayTree& tree, const RayToWalk& ray, RayWalkState& state) {
+  return HWY_DYNAMIC_DISPATCH(walk_from_root)(tree, ray, state);
 }
 
-std::size_t walk_ray_tree(const RayTree& tree, RayWalkState& state, std::span<RayCandidate> found,
-                          RayWalkCounts& counts) {
-  return HWY_DYNAMIC_DISPATCH(walk_from_open)(tree, state, found, counts);
+std::size_t walk_ray_tree(const RayTree& tree, RayWalkState& state) {
+  return HWY_DYNAMIC_DISPATCH(walk_from_open)(tree, state);
 }
 
 }  // namespace graze::bvh

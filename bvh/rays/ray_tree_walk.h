@@ -17,6 +17,7 @@
 #include <graze/bvh/rays/ray_frame.h>
 #include <graze/bvh/rays/ray_tree.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -45,6 +46,14 @@ struct RayWalkCounts {
   std::uint32_t primitives = 0;
 };
 
+/// What will be read of each candidate, to be fetched as soon as it is known: the primitive's three
+/// indices, and three numbers at each of these. Without `points` those are left to the caller, who
+/// does better if he walks for many rays first.
+struct PrimitivePoints {
+  const std::array<std::uint32_t, 3>* indices;
+  const double* points;
+};
+
 /// The points origin + s direction of the world, s >= 0. No component of the direction is 2 or
 /// more, and the largest at least 1.
 struct RayToWalk {
@@ -53,10 +62,7 @@ struct RayToWalk {
   const double* direction;
   double limit;  ///< no s per_metre above it counts
   RayAim aim;
-  /// What will be read of each candidate, to be fetched as soon as it is known: primitive i's bytes
-  /// begin at rows + i row_size.
-  const std::byte* rows;
-  std::size_t row_size;
+  PrimitivePoints primitives;
 };
 
 /// A child that waits: of the node at a line, in a lane, with a value that is not above any s in
@@ -78,7 +84,8 @@ struct RayWalkState {
   alignas(16) float inverse[4];
   alignas(16) float near[4];
   alignas(16) float far[4];
-  std::uint32_t near_row[3];  ///< of RayNode::box, as a number of floats
+  std::size_t near_row[3];  ///< of RayNode::box, as a number of floats
+  std::size_t far_row[3];
   // For leaves, along x, y and z.
   const RayAxes* axes;
   double origin[3];
@@ -90,45 +97,43 @@ struct RayWalkState {
   float limit;
   float sure_limit;  ///< s below it count, whatever is rounded
   RayAim aim;
-  const std::byte* rows;
-  std::size_t row_size;
+  PrimitivePoints primitives;
+  // What the caller has room for, and gets.
+  std::span<RayCandidate> found;
+  RayWalkCounts counts;
   bool is_blind;
   std::uint32_t open_count;
   Open* open;
   double start;
 };
 
-// The kernels.
+// The kernels: how many they found.
 
-/// The beginning of a walk, and all of most: fills in all but `open`.
-std::size_t begin_ray_walk(const RayTree& tree, const RayToWalk& ray, RayWalkState& state,
-                           std::span<RayCandidate> found, RayWalkCounts& counts);
+/// The beginning of a walk, and all of most: fills in all but `open` and `found`.
+std::size_t begin_ray_walk(const RayTree& tree, const RayToWalk& ray, RayWalkState& state);
 
-std::size_t walk_ray_tree(const RayTree& tree, RayWalkState& state, std::span<RayCandidate> found,
-                          RayWalkCounts& counts);
+std::size_t walk_ray_tree(const RayTree& tree, RayWalkState& state);
 
 /// A walk that may be interrupted.
 class RayTreeWalk {
  public:
-  explicit RayTreeWalk(const RayTree& tree) : tree_(tree) {
-    state_.open = room_;
-    if (tree.most_open > kRoom) [[unlikely]] {
-      more_room_.resize(tree.most_open);
-      state_.open = more_room_.data();
-    }
-  }
+  RayTreeWalk() = default;
   RayTreeWalk(const RayTreeWalk&) = delete;
   RayTreeWalk& operator=(const RayTreeWalk&) = delete;
 
   /// Up to `found.size()` candidates, at least kAtOnce, roughly from near to far; how many.
-  std::size_t begin(const RayToWalk& ray, std::span<RayCandidate> found, RayWalkCounts& counts) {
-    return begin_ray_walk(tree_, ray, state_, found, counts);
+  std::size_t begin(const RayTree& tree, const RayToWalk& ray, std::span<RayCandidate> found) {
+    state_.open = tree.most_open > kRoom ? more_room(tree.most_open) : room_;
+    state_.found = found;
+    return begin_ray_walk(tree, ray, state_);
   }
 
-  /// More of them, unless all have been found.
-  std::size_t go_on(std::span<RayCandidate> found, RayWalkCounts& counts) {
-    return is_done() ? 0 : walk_ray_tree(tree_, state_, found, counts);
-  }
+  /// More of them, in the same place, unless all have been found.
+  std::size_t go_on(const RayTree& tree) { return is_done() ? 0 : walk_ray_tree(tree, state_); }
+
+  /// What the last of these two did.
+  const RayWalkCounts& counts() const { return state_.counts; }
+
   static constexpr std::size_t kAtOnce = RayTree::kLeafSize;
   bool is_done() const { return state_.open_count == 0; }
 
@@ -144,7 +149,8 @@ class RayTreeWalk {
  private:
   static constexpr std::size_t kRoom = 256;
 
-  const RayTree& tree_;
+  Open* more_room(std::size_t count);
+
   RayWalkState state_;
   Open room_[kRoom];
   std::vector<Open> more_room_;  ///< for trees that are deeper than any that is sane

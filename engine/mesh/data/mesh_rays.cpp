@@ -8,6 +8,7 @@
 // covers all, the last term of which the walk adds (bvh/rays/ray_start-inl.h).
 
 #include <graze/bvh/floating_point/standard_arithmetic.h>
+#include <graze/bvh/rays/large_pages.h>
 #include <graze/bvh/value/power_of_two.h>
 #include <graze/engine/mesh/data/mesh_data.h>
 #include <graze/engine/mesh/data/mesh_rays.h>
@@ -16,7 +17,6 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstdint>
 
@@ -55,15 +55,6 @@ double largest_component(const double* v) {
 
 }  // namespace
 
-bool is_identity(const Pose& pose) {
-  // Each ray asks: a call of memcmp() takes longer.
-  constexpr auto kOne = std::bit_cast<std::uint64_t>(1.0);
-  std::uint64_t differences = 0;
-  for (int i = 0; i < 16; ++i)
-    differences |= std::bit_cast<std::uint64_t>(pose.data()[i]) ^ (i % 5 == 0 ? kOne : 0);
-  return differences == 0;
-}
-
 bvh::RayFrame ray_frame_of(const PlacedMeshView& placed, const bvh::LocalFrame& local) {
   const Aabb& bounds = placed.mesh.bounds();
   const double deviation = check_placement(placed.pose, bounds, "pose of the mesh");
@@ -96,6 +87,11 @@ const MeshRays& rays_of(const Mesh& mesh, Work* work) {
     bvh::in_standard_arithmetic([&] {
       // Isolated, as the building of the tree is.
       tbb::this_task_arena::isolate([&] {
+        // What of a mesh rays read, wherever they hit.
+        bvh::move_to_large_pages(mesh.vertices().data(), mesh.vertices().size_bytes());
+        bvh::move_to_large_pages(mesh.triangles().data(), mesh.triangles().size_bytes());
+        bvh::move_to_large_pages(tree.primitives.data(),
+                                 std::span<const std::uint32_t>(tree.primitives).size_bytes());
         data.rays = std::make_unique<const MeshRays>(
             MeshRays{bvh::ray_tree_over(tree, RayCorners(mesh, tree.frame)),
                      ray_frame_of({mesh}, tree.frame)});

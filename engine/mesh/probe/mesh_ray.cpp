@@ -7,7 +7,6 @@
 #include <graze/engine/mesh/data/mesh_rays.h>
 #include <graze/engine/mesh/mesh_ray.h>
 #include <graze/engine/mesh/placement.h>
-#include <graze/engine/mesh/query/query_results.h>
 #include <graze/narrowphase/ray/ray_stages.h>
 
 #include <algorithm>
@@ -24,11 +23,11 @@ constexpr double kEnough = -1;
 /// A placed mesh, for any number of rays.
 class MeshForRays {
  public:
-  MeshForRays(const PlacedMeshView& placed, Work& work)
+  MeshForRays(const PlacedMeshView& placed, Work* work)
       : placed_(placed),
         work_(work),
         is_at_rest_(is_identity(placed.pose)),
-        rays_(rays_of(placed.mesh, &work)),
+        rays_(rays_of(placed.mesh, work)),
         frame_(is_at_rest_ ? rays_.at_rest
                            : own_frame_.emplace(ray_frame_of(placed, rays_.tree.frame))),
         vertices_(MeshAccess::data(placed.mesh).vertices.data()),
@@ -40,13 +39,28 @@ class MeshForRays {
   template <typename OnHit>
   void for_each_hit(const Ray& ray, bvh::RayAim aim, OnHit&& on_hit) const {
     const narrowphase::PreparedRay prepared(ray);
-    bvh::RayTreeWalk walk(rays_.tree);
+    bvh::RayTreeWalk walk;
     Candidates found;
-    begin(walk, prepared, aim, found);
+    begin(walk, prepared, aim, vertices_->data(), found);
     finish(walk, prepared, found, on_hit);
   }
 
-  const bvh::RayTree& tree() const { return rays_.tree; }
+  bool is_met(const Ray& ray) const {
+    const narrowphase::PreparedRay prepared(ray);
+    bvh::RayTreeWalk walk;
+    Candidates found;
+    begin(walk, prepared, bvh::RayAim::Any, nullptr, found);
+    // Where there is a sure one, a walk ends with it.
+    for (std::size_t i = found.size; i-- > 0;) {
+      if (found.items[i].is_sure) return true;
+    }
+    bool is_met = false;
+    finish(walk, prepared, found, [&](const TriangleRayHit&, std::uint32_t) {
+      is_met = true;
+      return kEnough;
+    });
+    return is_met;
+  }
 
   RayHit hit_of(const TriangleRayHit& hit, std::uint32_t index) const {
     const auto& materials = MeshAccess::data(placed_.mesh).materials;
@@ -61,17 +75,16 @@ class MeshForRays {
 
   /// The first part of for_each_hit(), and all that it waits for memory for.
   void begin(bvh::RayTreeWalk& walk, const narrowphase::PreparedRay& ray, bvh::RayAim aim,
-             Candidates& found) const {
-    bvh::RayWalkCounts counts;
-    found.size = walk.begin({.frame = frame_,
+             const double* points, Candidates& found) const {
+    found.size = walk.begin(rays_.tree,
+                            {.frame = frame_,
                              .origin = ray.ray.origin.data(),
                              .direction = ray.scaled.component,
                              .limit = limit_for(ray, ray.ray.max_distance),
                              .aim = aim,
-                             .rows = reinterpret_cast<const std::byte*>(triangles_.data()),
-                             .row_size = sizeof(TriangleIndices)},
-                            found.items, counts);
-    count(counts);
+                             .primitives = {triangles_.data(), points}},
+                            found.items);
+    count(walk.counts());
   }
 
   /// The other part.
@@ -93,9 +106,8 @@ class MeshForRays {
         if (wanted < kInfinity) walk.limit_to(limit_for(ray, wanted));
       }
       if (walk.is_done()) return;
-      bvh::RayWalkCounts counts;
-      found.size = walk.go_on(found.items, counts);
-      count(counts);
+      found.size = walk.go_on(rays_.tree);
+      count(walk.counts());
     }
   }
 
@@ -109,13 +121,16 @@ class MeshForRays {
  private:
   /// The parameter before which all is at most that far away, metres.
   double limit_for(const narrowphase::PreparedRay& ray, double distance) const {
+    // What most rays have: the walk need not wait for a root and a quotient.
+    if (distance == kInfinity) return kInfinity;
     return distance / ray.scaled.length * frame_.per_metre * (1 + 0x10p-53) + 0x1p-1050;
   }
 
   void count(const bvh::RayWalkCounts& counts) const {
-    work_.volume_tests += counts.boxes;
-    work_.volume_rejections += counts.missed_boxes;
-    work_.filter_tests += counts.primitives;
+    if (work_ == nullptr) return;
+    work_->volume_tests += counts.boxes;
+    work_->volume_rejections += counts.missed_boxes;
+    work_->filter_tests += counts.primitives;
   }
 
   template <typename OnHit>
@@ -128,7 +143,7 @@ class MeshForRays {
 
   std::optional<TriangleRayHit> cast_at(std::uint32_t index, const narrowphase::PreparedRay& ray,
                                         bool is_sure) const {
-    ++work_.triangle_tests;
+    if (work_ != nullptr) ++work_->triangle_tests;
     if (!is_sure) return cast_at_unsure(index, ray);
     const auto& [a, b, c] = triangles_[index];
     std::optional<TriangleRayHit> found;
@@ -148,7 +163,7 @@ class MeshForRays {
       std::uint32_t index, const narrowphase::PreparedRay& ray) const {
     narrowphase::Stage stage;
     auto found = narrowphase::cast_ray(placed(index), ray, stage);
-    work_.exact_tests += stage == narrowphase::Stage::Exact;
+    if (work_ != nullptr) work_->exact_tests += stage == narrowphase::Stage::Exact;
     return found;
   }
 
@@ -158,7 +173,7 @@ class MeshForRays {
   }
 
   const PlacedMeshView& placed_;
-  Work& work_;
+  Work* work_;  ///< or none
   bool is_at_rest_;
   const MeshRays& rays_;
   std::optional<bvh::RayFrame> own_frame_;  ///< of a pose that is one
@@ -187,25 +202,24 @@ struct FirstHit {
 
 /// One of several rays whose walks alternate, so that what one waits for comes while another goes.
 struct RayInTurn {
-  RayInTurn(const MeshForRays& mesh, const Ray& asked) : ray(asked), walk(mesh.tree()) {
-    mesh.begin(walk, ray, bvh::RayAim::First, found);
-  }
-
-  narrowphase::PreparedRay ray;
+  std::optional<narrowphase::PreparedRay> ray;
   bvh::RayTreeWalk walk;
   MeshForRays::Candidates found;
 };
 constexpr std::size_t kInTurn = 8;
 
-void first_hits(const MeshForRays& mesh, std::span<const Ray> rays, std::optional<RayHit>* hits) {
-  std::optional<RayInTurn> in_turn[kInTurn];
-  for (std::size_t i = 0; i < rays.size(); ++i)
-    in_turn[i].emplace(mesh, rays[i]);
-  for (std::size_t i = 0; i < rays.size(); ++i)
-    mesh.fetch_corners(in_turn[i]->found);
+void first_hits(const MeshForRays& mesh, std::span<const Ray> rays, std::optional<RayHit>* hits,
+                RayInTurn (&in_turn)[kInTurn]) {
   for (std::size_t i = 0; i < rays.size(); ++i) {
+    RayInTurn& turn = in_turn[i];
+    mesh.begin(turn.walk, turn.ray.emplace(rays[i]), bvh::RayAim::First, nullptr, turn.found);
+  }
+  for (std::size_t i = 0; i < rays.size(); ++i)
+    mesh.fetch_corners(in_turn[i].found);
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    RayInTurn& turn = in_turn[i];
     hits[i].reset();
-    mesh.finish(in_turn[i]->walk, in_turn[i]->ray, in_turn[i]->found, FirstHit{mesh, hits[i]});
+    mesh.finish(turn.walk, *turn.ray, turn.found, FirstHit{mesh, hits[i]});
   }
 }
 
@@ -214,9 +228,8 @@ void first_hits(const MeshForRays& mesh, std::span<const Ray> rays, std::optiona
 std::optional<RayHit> cast_ray(const PlacedMeshView& mesh, const Ray& ray, Work* work) {
   return bvh::in_standard_arithmetic([&]() -> std::optional<RayHit> {
     check_ray(ray, "ray");
-    CountedWork counted(work);
     std::optional<RayHit> first;
-    const MeshForRays for_rays(mesh, counted.work());
+    const MeshForRays for_rays(mesh, work);
     for_rays.for_each_hit(ray, bvh::RayAim::First, FirstHit{for_rays, first});
     return first;
   });
@@ -225,23 +238,15 @@ std::optional<RayHit> cast_ray(const PlacedMeshView& mesh, const Ray& ray, Work*
 bool intersects(const PlacedMeshView& mesh, const Ray& ray, Work* work) {
   return bvh::in_standard_arithmetic([&] {
     check_ray(ray, "ray");
-    CountedWork counted(work);
-    bool is_met = false;
-    MeshForRays(mesh, counted.work())
-        .for_each_hit(ray, bvh::RayAim::Any, [&](const TriangleRayHit&, std::uint32_t) {
-          is_met = true;
-          return kEnough;
-        });
-    return is_met;
+    return MeshForRays(mesh, work).is_met(ray);
   });
 }
 
 std::vector<RayHit> cast_ray_all(const PlacedMeshView& mesh, const Ray& ray, Work* work) {
   return bvh::in_standard_arithmetic([&]() -> std::vector<RayHit> {
     check_ray(ray, "ray");
-    CountedWork counted(work);
     std::vector<RayHit> hits;
-    const MeshForRays for_rays(mesh, counted.work());
+    const MeshForRays for_rays(mesh, work);
     for_rays.for_each_hit(ray, bvh::RayAim::All,
                           [&](const TriangleRayHit& hit, std::uint32_t index) {
                             hits.push_back(for_rays.hit_of(hit, index));
@@ -257,11 +262,12 @@ void cast_rays(const PlacedMeshView& mesh, std::span<const Ray> rays,
   bvh::in_standard_arithmetic([&] {
     for (const Ray& ray : rays)
       check_ray(ray, "ray");
-    CountedWork counted(work);
-    const MeshForRays for_rays(mesh, counted.work());
+    const MeshForRays for_rays(mesh, work);
     hits.resize(rays.size());
+    RayInTurn in_turn[kInTurn];
     for (std::size_t i = 0; i < rays.size(); i += kInTurn)
-      first_hits(for_rays, rays.subspan(i, std::min(kInTurn, rays.size() - i)), hits.data() + i);
+      first_hits(for_rays, rays.subspan(i, std::min(kInTurn, rays.size() - i)), hits.data() + i,
+                 in_turn);
   });
 }
 

@@ -89,16 +89,15 @@ TEST(RayTree, WithoutNodesLeavesAllToBeAsked) {
   const bvh::RayFrame frame{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}, {0, 0, 0}, 1, 0};
   const double origin[3] = {0, 0, 3}, direction[3] = {0, 0, -1};
   bvh::RayCandidate found[bvh::RayTreeWalk::kAtOnce];
-  bvh::RayWalkCounts counts;
-  bvh::RayTreeWalk walk(none);
-  EXPECT_EQ(walk.begin({.frame = frame,
+  bvh::RayTreeWalk walk;
+  EXPECT_EQ(walk.begin(none,
+                       {.frame = frame,
                         .origin = origin,
                         .direction = direction,
                         .limit = 9,
                         .aim = bvh::RayAim::First,
-                        .rows = nullptr,
-                        .row_size = 0},
-                       found, counts),
+                        .primitives = {}},
+                       found),
             0u);
   EXPECT_TRUE(walk.is_blind());
 }
