@@ -79,9 +79,7 @@ class RegionPoints {
     std::vector<std::uint32_t> met_at;  ///< of each end of crossings, its place in `met`
   };
   static constexpr std::uint32_t kNotMet = 0xffffffffu;
-  /// Of contacts, the last points in four directions, and the deepest.
-  static constexpr std::size_t kDeepest = 4;
-  using Ends = std::array<std::size_t, kDeepest + 1>;
+  using Ends = std::array<std::size_t, 4>;  ///< the last points in four directions
   static Scratch& scratch() {
     static thread_local Scratch scratch;
     return scratch;
@@ -291,28 +289,29 @@ class RegionPoints {
     return {inner.points[first] + inner.at, inner.points[last] + inner.at};
   }
 
-  /// Leaves the ends in directions that turn with A, and the deepest. The directions are askew to
-  /// A's axes, as edges seldom are. A contact is known by the sides of A and of B that the way out
-  /// leads to and by which end it is, so that it keeps its name while triangles change.
+  /// Leaves the ends in directions that turn with A, and the deepest. A contact is known by the
+  /// sides of A and of B that the way out leads to and by which end it is, so that it keeps its
+  /// name while triangles change.
   void keep_ends() {
     const std::uint64_t side_a = side_of(region_.pose_a, -way_);
     const std::uint64_t side_b = side_of(region_.pose_b, -way_);
-    Ends kept = ends(side_a / 2);
-    const std::size_t end_count = take_deepest(kept) ? kDeepest + 1 : kDeepest;
-    for (std::size_t end = 0; end < end_count; ++end) {
-      const auto own = kept.begin() + static_cast<std::ptrdiff_t>(end);
-      if (std::find(kept.begin(), own, *own) != own) continue;
-      candidates_.list.push_back({.point_a = met_[*own].a,
-                                  .point_b = met_[*own].b,
-                                  .normal = -way_,
-                                  .depth = met_[*own].depth,
-                                  .feature_a = side_a << 3 | end,
-                                  .feature_b = side_b});
+    Ends ends = ends_about(side_a / 2);
+    take_deepest(ends);
+    for (auto own = ends.begin(); own != ends.end(); ++own) {
+      if (std::find(ends.begin(), own, *own) != own) continue;
+      candidates_.list.push_back(
+          {.point_a = met_[*own].a,
+           .point_b = met_[*own].b,
+           .normal = -way_,
+           .depth = met_[*own].depth,
+           .feature_a = side_a << 3 | static_cast<std::uint64_t>(own - ends.begin()),
+           .feature_b = side_b});
     }
   }
 
-  /// The last points in four directions, for an axis of A that the way out is nearest to.
-  Ends ends(std::size_t k) const {
+  /// In directions across the way out, which an axis of A is nearest to; askew to A's axes, as
+  /// edges seldom are.
+  Ends ends_about(std::size_t k) const {
     const double* m = region_.pose_a.data();  // column-major 4x4
     const auto axis = [&](std::size_t i) {
       return Vec3{m[4 * (i % 3)], m[4 * (i % 3) + 1], m[4 * (i % 3) + 2]};
@@ -322,25 +321,23 @@ class RegionPoints {
     const auto across = [&](const Vec3& along) { return along - way_ * dot(along, way_); };
     const Vec3 u = across(axis(k + 1) * kCosine + axis(k + 2) * kSine);
     const Vec3 v = across(axis(k + 2) * kCosine - axis(k + 1) * kSine);
-    return {last_along(u), last_along(v), last_along(u * -1), last_along(v * -1), 0};
+    return {last_along(u), last_along(v), last_along(u * -1), last_along(v * -1)};
   }
 
   /// Of what is level any point may be the deepest by rounding: an end stands for it. Else the
-  /// deepest takes the place and the name of the deepest end, with which it is level where the two
-  /// change places: a region has no fifth contact. Returns whether there are fewer ends than four,
-  /// and it is one more.
-  bool take_deepest(Ends& kept) const {
-    const auto last = kept.begin() + kDeepest;
-    const auto end = std::max_element(kept.begin(), last, [&](std::size_t s, std::size_t t) {
+  /// deepest takes a place and its name, so that a solver finds the impulse of the last step: one
+  /// that another has as well, or that of the deepest end, with which it is level where the two
+  /// change places.
+  void take_deepest(Ends& ends) const {
+    auto place = std::max_element(ends.begin(), ends.end(), [&](std::size_t s, std::size_t t) {
       return met_[s].depth < met_[t].depth;
     });
     const std::size_t deepest = this->deepest();
     const double most = met_[deepest].depth;
-    if (most - met_[*end].depth <= std::min(kLevelDepth * most, kLevelSize * size_)) return false;
-    for (auto own = kept.begin(); own != last; ++own)
-      if (std::find(kept.begin(), own, *own) != own) return *last = deepest, true;
-    *end = deepest;
-    return false;
+    if (most - met_[*place].depth <= std::min(kLevelDepth * most, kLevelSize * size_)) return;
+    for (auto own = ends.end(); own-- != ends.begin();)
+      if (std::find(ends.begin(), own, *own) != own) place = own;
+    *place = deepest;
   }
 
   std::size_t deepest() const {
