@@ -24,9 +24,10 @@ struct MeshRegion {
 
 /// Where a face is left, points of the other mesh with their depths behind it, and where faces lie
 /// along each other points of both; where an edge is left, the same behind the faces that are
-/// nearly at right angles to the way out, or the point in which two edges meet. Of all these five
-/// at most: the deepest, and the ends in four directions that turn with A, so that they are the
-/// same ones in the next step. One at least is as deep as the region.
+/// nearly at right angles to the way out, or the point in which two edges meet. Of all these four
+/// at most: the ends in four directions that turn with A, so that they are the same ones in the
+/// next step. One is as deep as the region, to three thousandths: the deepest point stands for an
+/// end where none is.
 void add_region_points(const MeshRegion& region, ContactCandidates& candidates);
 
 }  // namespace graze

@@ -19,18 +19,25 @@ constexpr std::size_t kFew = 24;
 // where faces are divided.
 constexpr std::size_t kOfTwoEdges = 8;
 
-/// Whether what a part leaves last in a direction is inside: else the way is one of another piece,
-/// or leads round a body that goes on. Law 15's depths are to a twentieth: a shallow way that what
-/// is outside makes longer by less is this piece's. Where an edge leaves an edge both of its ends
-/// are equally far, but for what the search for the way lacks.
-bool is_local(const InnerPart& part, const Vec3& direction, double depth) {
+/// How much farther a part reaches outside than inside; nothing if that is too much: then what it
+/// leaves last in a direction is outside, and the way is one of another piece, or leads round a
+/// body that goes on. Law 15's depths are to a twentieth: a shallow way that what is outside makes
+/// longer by less is this piece's. Where an edge leaves an edge both of its ends are equally far,
+/// but for what the search for the way lacks.
+std::optional<double> outer_reach(const InnerPart& part, const Vec3& direction, double depth) {
   constexpr double kSame = 1e-6, kShallow = 1e-4;
-  const double all = dot(part.points[part.farthest(direction)], direction);
+  const std::size_t farthest = part.farthest(direction);
+  if (!part.is_outer[farthest]) return 0;
+  const double all = dot(part.points[farthest], direction);
   const double least =
       all - std::max(kSame * part.radius, std::min(0.05 * depth, kShallow * part.radius));
-  for (std::size_t i = 0; (i = part.next_beyond(direction, least, i)) < part.points.size(); ++i)
-    if (!part.is_outer[i]) return true;
-  return false;
+  std::optional<double> reach;
+  for (std::size_t i = 0; (i = part.next_beyond(direction, least, i)) < part.points.size(); ++i) {
+    if (part.is_outer[i]) continue;
+    const double lacking = all - dot(part.points[i], direction);
+    if (!reach || lacking < *reach) reach = lacking;
+  }
+  return reach;
 }
 
 double depth_of(const PieceWay& way) {
@@ -208,7 +215,10 @@ void PieceWays::find_with(Part&& leaving, double limit, const PartingSettings& s
   Exit& exit = parting.exit;
   exit.depth = std::max(exit.depth, 0.0);
   way.is_found = true;
-  way.is_local = is_local(part, -exit.direction, exit.depth);
+  const std::optional<double> outer = outer_reach(part, -exit.direction, exit.depth);
+  way.is_local = outer.has_value();
+  // What is outside is beside the triangle's mesh, and need not be lifted out.
+  if (!way.is_partial) exit.depth = std::max(exit.depth - outer.value_or(0), 0.0);
   if (way.is_of_a) exit.direction = -exit.direction;
 }
 
