@@ -23,7 +23,8 @@ of what is not convex, how an intersection is joined, questions of a mesh about 
 the file is judged too, and gets the class that it would get live. "changed" is an answer of graze other than the one that graze or the referee once gave: that is
 right where a bug was fixed since. Most other engines have no query for rays, intersections and separations.
 First contacts are judged by certificates of freedom and by contacts at a time; FCL has a query, with ten samples
-and as "fcl-advancement", and Bullet one for convex shapes. What is wrong there is called missed, late, early, or "hit" of a free motion.
+and as "fcl-advancement", and Bullet one for convex shapes. What is wrong there is called missed, late, early,
+or "hit" of a free motion.
 
 Wrong answers have a class, the first that fits: degenerate (a triangle without area); by no more than
 64 ulp: coplanar (one plane holds both triangles), pose rounding (right if placed otherwise), touching; beyond
