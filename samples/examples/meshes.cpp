@@ -7,8 +7,9 @@
 using examples::at;
 using examples::expect;
 
-int main() {
-  const graze::Mesh cube = examples::cube(1);  // from two arrays
+namespace {
+
+void what_it_is(const graze::Mesh& cube) {
   expect(cube.vertices().size() == 8 && cube.triangles().size() == 12, "a cube has 12 triangles");
   expect(cube.bounds() == graze::Aabb{{0, 0, 0}, {1, 1, 1}}, "bounds are exact");
 
@@ -44,7 +45,9 @@ int main() {
   const graze::MeshFit fit = graze::measure_fit(cube);
   expect(fit.volumes[0].type == graze::Volume::Aabb, "four kinds of volumes, the boxes first");
   expect(fit.volumes[1].empty_share > 0.6, "most of a ball around a cube is empty");
+}
 
+void deformed(const graze::Mesh& cube) {
   // The same triangles with vertices elsewhere: trees are fitted, not built.
   std::vector<Eigen::Vector3d> higher(cube.vertices().begin(), cube.vertices().end());
   for (Eigen::Vector3d& vertex : higher)
@@ -69,8 +72,11 @@ int main() {
   expect(growing.start() == cube && growing.end() == tower && growing.bytes() > 0,
          "it holds both meshes, and a tree");
   expect(!graze::first_self_contact(growing), "and no part of it meets another");
+}
 
-  // A mesh that goes straight as it is: along two metres down, from one metre above.
+/// A mesh that goes straight as it is.
+void cast(const graze::Mesh& cube) {
+  // Along two metres down, from one metre above.
   const std::optional<graze::MeshCast> landed =
       graze::cast({cube}, {cube, at(0, 0, 2)}, Eigen::Vector3d(0, 0, -2));
   expect(landed && landed->time == 0.5 && landed->normal.z() == 1, "it lands on the other's top");
@@ -87,4 +93,13 @@ int main() {
   const std::optional<graze::VolumeCast> ball =
       graze::cast({cube}, graze::Sphere{{0, 0, 2.5}, 0.5}, Eigen::Vector3d(0, 0, -4));
   expect(ball && ball->time == 0.25 && ball->normal.z() == 1, "a ball");
+}
+
+}  // namespace
+
+int main() {
+  const graze::Mesh cube = examples::cube(1);  // from two arrays
+  what_it_is(cube);
+  deformed(cube);
+  cast(cube);
 }

@@ -16,9 +16,8 @@ TrianglePath path_between(const Triangle& start, const Triangle& end) {
   return {{start.a, end.a}, {start.b, end.b}, {start.c, end.c}};
 }
 
-}  // namespace
-
-std::vector<Question> triangle_questions() {
+/// Whether triangles and volumes meet.
+std::vector<Question> yes_or_no_questions() {
   return {
       {"intersects(Triangle, Triangle)",
        [](const Inputs& in, Words& words) {
@@ -51,6 +50,14 @@ std::vector<Question> triangle_questions() {
          for (const Triangle& triangle : in.triangles)
            words.add(intersects(triangle, in.ball_a));
        }},
+  };
+}
+
+}  // namespace
+
+std::vector<Question> triangle_questions() {
+  std::vector<Question> questions = yes_or_no_questions();
+  const std::vector<Question> others = {
       {"distance(Triangle, Triangle)",
        [](const Inputs& in, Words& words) {
          for (const Triangle& triangle : in.triangles)
@@ -104,6 +111,8 @@ std::vector<Question> triangle_questions() {
          words.add(covariance_box(in.vertices_a));
        }},
   };
+  questions.insert(questions.end(), others.begin(), others.end());
+  return questions;
 }
 
 }  // namespace graze::tests

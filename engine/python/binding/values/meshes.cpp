@@ -214,11 +214,8 @@ numpy has saved.
 Raises PoseError, naming `file:line`, for what is no rigid pose.
 )";
 
-void add_members(py::class_<Mesh, std::shared_ptr<Mesh>>& type) {
-  type.def(py::init(&make_mesh),
-           "__init__(self, vertices, triangles=None, materials=None)\n--\n\nSee the class.",
-           py::arg("vertices"), py::arg("triangles") = py::none(),
-           py::arg("materials") = py::none());
+/// What is as it was given.
+void add_arrays(py::class_<Mesh, std::shared_ptr<Mesh>>& type) {
   type.def_property_readonly(
       "vertices",
       [](const py::object& self) {
@@ -249,6 +246,10 @@ void add_members(py::class_<Mesh, std::shared_ptr<Mesh>>& type) {
       "What triangles are made of, as it was given: uint16 of the shape (m,), not to be written "
       "to; "
       "or None. No copy.");
+}
+
+/// What follows from it.
+void add_findings(py::class_<Mesh, std::shared_ptr<Mesh>>& type) {
   type.def(
       "welded",
       [](const py::object& self) {
@@ -296,6 +297,15 @@ What the surface of a closed mesh encloses, m^3: positive if its triangles are c
 >>> bolt.signed_volume() > 0
 True
 )");
+}
+
+void add_members(py::class_<Mesh, std::shared_ptr<Mesh>>& type) {
+  type.def(py::init(&make_mesh),
+           "__init__(self, vertices, triangles=None, materials=None)\n--\n\nSee the class.",
+           py::arg("vertices"), py::arg("triangles") = py::none(),
+           py::arg("materials") = py::none());
+  add_arrays(type);
+  add_findings(type);
   type.def("deformed", &deformed, py::arg("vertices"), R"(deformed(self, vertices)
 --
 

@@ -60,29 +60,11 @@ py::object result_of(const RigidContact& contact) {
   return kType(word_of(contact.status), contact.low, contact.high, contact.is_out_of_budget);
 }
 
-void add_rigid_motions(py::module_& module) {
-  py::class_<RigidMotion>(
-      module, "RigidMotion",
-      R"(A rigid motion while t goes from 0 to 1: a pose, and a course that it takes.
+namespace {
 
-    RigidMotion(start, centre=(0, 0, 0), shift=(0, 0, 0), axis=(0, 0, 1), angle=0)
-
-The point `centre`, in the common frame, goes straight by `shift`, metres, and the body turns about it by `angle`,
-radians, around `axis`. With a start alone it rests. Can be pickled.
-
-Raises PoseError and InputError.
-
->>> motion = graze.RigidMotion.between(np.eye(4), raised)
->>> motion.at([0, 0.5, 1])[:, 2, 3]
-array([0.  , 0.75, 1.5 ])
-)")
-      .def(py::init(&make_motion),
-           "__init__(self, start, centre=(0, 0, 0), shift=(0, 0, 0), axis=(0, 0, 1), "
-           "angle=0)\n--\n\nSee the class.",
-           py::arg("start"), py::arg("centre") = py::make_tuple(0, 0, 0),
-           py::arg("shift") = py::make_tuple(0, 0, 0), py::arg("axis") = py::make_tuple(0, 0, 1),
-           py::arg("angle") = 0)
-      .def_static(
+/// Other ways to say which motion.
+void add_makers(py::class_<RigidMotion>& type) {
+  type.def_static(
           "between",
           [](py::handle start, py::handle end, py::handle centre) {
             return RigidMotion::between(pose_from(start, "start"), pose_from(end, "end"),
@@ -126,8 +108,12 @@ array([0.  , 0.75, 1.5 ])
           "second, in the common frame, for so many seconds; the point of the body's frame has the "
           "linear one.",
           py::arg("start"), py::arg("linear"), py::arg("angular") = py::make_tuple(0, 0, 0),
-          py::arg("body_centre") = py::make_tuple(0, 0, 0), py::arg("duration") = 1.0)
-      .def("at", &poses_at,
+          py::arg("body_centre") = py::make_tuple(0, 0, 0), py::arg("duration") = 1.0);
+}
+
+/// What is known of one.
+void add_values(py::class_<RigidMotion>& type) {
+  type.def("at", &poses_at,
            "at(self, t)\n--\n\nThe pose at t, from 0 to 1, or the poses at many, of the shape (n, "
            "4, 4). Raises InputError for "
            "another t.",
@@ -153,6 +139,34 @@ array([0.  , 0.75, 1.5 ])
       .def("__reduce__", [](const py::object& self) {
         return py::make_tuple(py::type::of(self), state_of(self.cast<const RigidMotion&>()));
       });
+}
+
+}  // namespace
+
+void add_rigid_motions(py::module_& module) {
+  py::class_<RigidMotion> type(
+      module, "RigidMotion",
+      R"(A rigid motion while t goes from 0 to 1: a pose, and a course that it takes.
+
+    RigidMotion(start, centre=(0, 0, 0), shift=(0, 0, 0), axis=(0, 0, 1), angle=0)
+
+The point `centre`, in the common frame, goes straight by `shift`, metres, and the body turns about it by `angle`,
+radians, around `axis`. With a start alone it rests. Can be pickled.
+
+Raises PoseError and InputError.
+
+>>> motion = graze.RigidMotion.between(np.eye(4), raised)
+>>> motion.at([0, 0.5, 1])[:, 2, 3]
+array([0.  , 0.75, 1.5 ])
+)");
+  type.def(py::init(&make_motion),
+           "__init__(self, start, centre=(0, 0, 0), shift=(0, 0, 0), axis=(0, 0, 1), "
+           "angle=0)\n--\n\nSee the class.",
+           py::arg("start"), py::arg("centre") = py::make_tuple(0, 0, 0),
+           py::arg("shift") = py::make_tuple(0, 0, 0), py::arg("axis") = py::make_tuple(0, 0, 1),
+           py::arg("angle") = 0);
+  add_makers(type);
+  add_values(type);
 }
 
 }  // namespace graze::python
