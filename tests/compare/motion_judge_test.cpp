@@ -76,6 +76,17 @@ TEST_F(MotionVerdicts, OfAHit) {
   expect_wrong(judged(query, hit_at(0)), "early by 0.5", 1);
 }
 
+/// They touch from 0.49 to 0.51, between the fifth and the sixth of ten poses; or at one of them.
+TEST_F(MotionVerdicts, OfWhatPosesDoNotSee) {
+  const Judgement between = judged(towards({103, 0, 0}, -206), kFree);
+  EXPECT_EQ(between.verdict, Verdict::Wrong);
+  EXPECT_NE(between.truth.find("missed, sampled over"), std::string::npos) << between.truth;
+  const Judgement seen = judged(towards({206.0 * 4 / 9, 0, 0}, -206), kFree);
+  EXPECT_EQ(seen.verdict, Verdict::Wrong);
+  EXPECT_EQ(seen.truth.find("sampled over"), std::string::npos) << seen.truth;
+  EXPECT_EQ(judged(towards({3, 0, 0}, -2), kFree).truth.find("sampled over"), std::string::npos);
+}
+
 TEST_F(MotionVerdicts, OfWhatGrazePromises) {
   const Case query = towards({3, 0, 0}, -2);
   const CaseAnswer own = answer_case(query);

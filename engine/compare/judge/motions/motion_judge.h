@@ -25,6 +25,7 @@ class MotionJudge {
   Judgement judge_not_free(bool is_graze);
   Judgement judge_hit(double low, double high, bool is_graze);
   Judgement judge_close(double low);
+  bool is_sampled_over() const;
   Judgement overlooked(const std::string& cause, double from, double to) const;
   Judgement invented(const std::string& truth, double time) const;
   std::string known() const;
