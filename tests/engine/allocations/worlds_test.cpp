@@ -308,6 +308,62 @@ TEST(Allocations, OfWorldsThatThreadsShareMayFail) {
     fail_allocations_of_worlds({.seed = seed, .most = 40, .threads = 3}, 24);
 }
 
+/// Planks that lie on two blocks each: eight contacts, for which a manifold needs memory.
+Mesh make_blocks() {
+  std::vector<Eigen::Vector3d> vertices;
+  std::vector<TriangleIndices> triangles;
+  const Mesh block = make_box({0.25, 0.5, 0.5});
+  for (const double x : {-1.0, 1.0}) {
+    const auto first = static_cast<std::uint32_t>(vertices.size());
+    for (const Eigen::Vector3d& vertex : block.vertices())
+      vertices.push_back(vertex + Eigen::Vector3d(x, 0, 0));
+    for (const TriangleIndices& triangle : block.triangles())
+      triangles.push_back({triangle[0] + first, triangle[1] + first, triangle[2] + first});
+  }
+  return Mesh(vertices, triangles);
+}
+
+/// Every pair begins once, whichever allocation of the first update fails.
+TEST(Allocations, OfManifoldsThatThreadsShareMayFail) {
+  const tbb::global_control few(tbb::global_control::max_allowed_parallelism, 2);
+  const auto blocks = share(Shape(make_blocks()));
+  const auto plank = share(Shape(make_box({1.5, 0.5, 0.0625})));
+  const auto begun_in_all = [&](long n, long* count) {
+    World world({.threads = 2, .islands = true});
+    for (int i = 0; i < 40; ++i) {
+      world.add({blocks, at(4.0 * i)}, {.kind = BodyKind::Static});
+      world.add({plank, at(4.0 * i, 0.125, 0.5)});
+    }
+    std::size_t begun = 0, contacts = 0;
+    const auto update = [&] {
+      const WorldUpdate told = world.update();
+      begun += told.begun.size();
+      if (!told.contacts.empty()) contacts = told.contacts[0].manifold.size();
+    };
+    {
+      const FailingNew armed(n);
+      try {
+        update();
+      } catch (const std::bad_alloc&) {
+        begun = 0;  // nothing was told
+      }
+      if (count != nullptr) *count = armed.calls();
+    }
+    update();
+    EXPECT_EQ(world.pairs().size(), 40U);
+    EXPECT_EQ(world.islands().size(), 40U);
+    if (n == FailingNew::kNever) {
+      EXPECT_GT(contacts, Manifold::kMostOfRegion);
+    }
+    return begun;
+  };
+  long count = 0;
+  begun_in_all(FailingNew::kNever, nullptr);  // builds trees
+  ASSERT_EQ(begun_in_all(FailingNew::kNever, &count), 40U);
+  for (long n = 1; n <= count && !HasFailure(); ++n)
+    EXPECT_EQ(begun_in_all(n, nullptr), 40U) << "allocation " << n << " of " << count;
+}
+
 TEST(AllocationsSlow, OfWorldsMayFail) {
   for (std::uint64_t seed = 0; seed < 8; ++seed) {
     fail_allocations_of_worlds({seed, 10}, 1000000);
