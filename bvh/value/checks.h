@@ -13,7 +13,7 @@
 namespace graze::bvh {
 
 void check_box(const Aabb& box, const char* what);
-void check_box(const Obb& box, const char* what);
+double check_box(const Obb& box, const char* what);  ///< returns what check_rigid() does
 void check_sphere(const Sphere& sphere, const char* what);
 void check_kdop(const KDop<18>& kdop, const char* what);
 double check_rigid(const Pose& pose, const char* what);

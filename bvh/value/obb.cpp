@@ -9,8 +9,8 @@ namespace graze {
 
 namespace bvh {
 
-void check_box(const Obb& box, const char* what) {
-  bvh::check_rigid(box.pose, what);
+double check_box(const Obb& box, const char* what) {
+  const double deviation = bvh::check_rigid(box.pose, what);
   for (int i = 0; i < 3; ++i) {
     const double half = box.half_extents.data()[i];
     if (!(half >= 0) || !std::isfinite(half)) {
@@ -18,6 +18,7 @@ void check_box(const Obb& box, const char* what) {
                        " is negative or not finite");
     }
   }
+  return deviation;
 }
 
 }  // namespace bvh

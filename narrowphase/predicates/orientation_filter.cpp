@@ -5,6 +5,8 @@
 #include <graze/narrowphase/predicates/orientation_stages.h>
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 
 namespace graze::narrowphase {
 namespace {
@@ -32,6 +34,25 @@ double largest(double a, double b, double c) {
   return std::max(std::abs(a), std::max(std::abs(b), std::abs(c)));
 }
 
+// Two determinants at once, in a register of any CPU.
+using Both = double __attribute__((vector_size(16)));
+using BothSigns = std::int64_t __attribute__((vector_size(16)));
+
+inline Both size_of(Both v) {
+  return reinterpret_cast<Both>(reinterpret_cast<BothSigns>(v) &
+                                std::numeric_limits<std::int64_t>::max());
+}
+
+/// orientation_2d_filter() of vectors, without its zeros: 1 or -1 where that is sure, else 0.
+inline BothSigns sure_signs(Both ux, Both uy, Both vx, Both vy) {
+  const Both both_left = ux * vy, both_right = uy * vx;
+  const Both sizes = size_of(both_left) + size_of(both_right);
+  const Both areas = both_left - both_right;
+  const BothSigns is_in_range = (sizes >= kSmallest) & (sizes <= kLargest);
+  // What is true is -1.
+  return is_in_range & ((areas < -kBound2d * sizes) - (areas > kBound2d * sizes));
+}
+
 }  // namespace
 
 std::optional<Sign> orientation_2d_filter(Point2 a, Point2 b, Point2 c) {
@@ -49,6 +70,20 @@ std::optional<Sign> orientation_2d_filter(Point2 a, Point2 b, Point2 c) {
   if (area > kBound2d * size) return Sign::Positive;
   if (area < -kBound2d * size) return Sign::Negative;
   return std::nullopt;
+}
+
+FanSides fan_filter(Point2 vertex, Point2 a, Point2 b, Point2 c, Point2 d) {
+  const Both c_d_x = Both{c.x, d.x} - vertex.x, c_d_y = Both{c.y, d.y} - vertex.y;
+  const Both a_b_x = Both{a.x, b.x} - vertex.x, a_b_y = Both{a.y, b.y} - vertex.y;
+  const Both b_d_x{a_b_x[1], c_d_x[1]}, b_d_y{a_b_y[1], c_d_y[1]};
+  const Both a_c_x{a_b_x[0], c_d_x[0]}, a_c_y{a_b_y[0], c_d_y[0]};
+  const BothSigns own = sure_signs(a_c_x, a_c_y, b_d_x, b_d_y);
+  const BothSigns of_a =
+      sure_signs(Both{a_b_x[0], a_b_x[0]}, Both{a_b_y[0], a_b_y[0]}, c_d_x, c_d_y);
+  const BothSigns of_b =
+      sure_signs(Both{a_b_x[1], a_b_x[1]}, Both{a_b_y[1], a_b_y[1]}, c_d_x, c_d_y);
+  const auto sign = [](std::int64_t of) { return static_cast<int>(of); };
+  return {sign(own[0]), sign(own[1]), sign(of_a[0]), sign(of_a[1]), sign(of_b[0]), sign(of_b[1])};
 }
 
 std::optional<Sign> orientation_3d_filter(const double* a, const double* b, const double* c,

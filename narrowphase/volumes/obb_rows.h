@@ -19,8 +19,9 @@ inline constexpr std::size_t kTranslationRow = 4;
 inline constexpr std::size_t kAxisRow = 7;
 inline constexpr std::size_t kDeviationRow = 16;
 
-/// Of a valid box.
+/// Of a valid box, and of one whose deviation from a rotation bvh::check_box() has returned.
 ObbRow row_of(const Obb& box);
+ObbRow row_of(const Obb& box, double deviation);
 Obb obb_of(const ObbRow& row);
 
 /// Which of two boxes is A: the larger one, as the slack charges B's size more; of equal ones, by

@@ -1,6 +1,8 @@
 #include <graze/engine/compare/referee.h>
+#include <graze/narrowphase/predicates/orientation_stages.h>
 #include <graze/narrowphase/triangle_pair/adjacent_triangles.h>
 #include <gtest/gtest.h>
+#include <cmath>
 
 #include "tests/shapes/random_source.h"
 
@@ -89,6 +91,39 @@ TEST(AdjacentTriangles, SharedEdgeAgreesWithTheRefereeAtSmallScale) {
     beyond += expected;
   }
   EXPECT_GT(beyond, 1000);
+}
+
+// A sign is the exact one, and is there where the filter of one pair has one that is not zero.
+TEST(AdjacentTriangles, SidesOfAFanAreExactWhereTheyAreSure) {
+  RandomSource source(3);
+  int sure = 0, unsure = 0;
+  for (int n = 0; n < 40000; ++n) {
+    const double scale = std::pow(10, source.uniform(-160, 150));
+    const auto point = [&]() -> Point2 { return {source.uniform(-1, 1), source.uniform(-1, 1)}; };
+    const Point2 vertex = point(), way = point();
+    // Half of them nearly on one line through the vertex.
+    const auto other = [&]() -> Point2 {
+      if (n % 2 == 0) return point();
+      const double along = source.uniform(-1, 1), off = std::pow(10, source.uniform(-20, -12));
+      return {vertex.x + along * way.x + off * way.y, vertex.y + along * way.y - off * way.x};
+    };
+    const auto scaled = [&](Point2 p) -> Point2 { return {scale * p.x, scale * p.y}; };
+    const Point2 v = scaled(vertex),
+                 p[4] = {scaled(other()), scaled(other()), scaled(other()), scaled(other())};
+    const FanSides sides = fan_filter(v, p[0], p[1], p[2], p[3]);
+    const auto expect_sign = [&](int sign, Point2 from, Point2 to) {
+      if (sign != 0) {
+        ASSERT_EQ(static_cast<Sign>(sign), orientation_2d(v, from, to)) << n;
+      }
+      ASSERT_EQ(sign, static_cast<int>(orientation_2d_filter(v, from, to).value_or(Sign::Zero)));
+      ++(sign != 0 ? sure : unsure);
+    };
+    expect_sign(sides.a_b, p[0], p[1]), expect_sign(sides.c_d, p[2], p[3]);
+    expect_sign(sides.a_c, p[0], p[2]), expect_sign(sides.a_d, p[0], p[3]);
+    expect_sign(sides.b_c, p[1], p[2]), expect_sign(sides.b_d, p[1], p[3]);
+  }
+  EXPECT_GT(sure, 100000);
+  EXPECT_GT(unsure, 10000);
 }
 
 }  // namespace

@@ -75,6 +75,7 @@ std::shared_ptr<const Mesh::Data> Mesh::make(std::span<const Eigen::Vector3d> ve
     data->triangles = *data->shared_triangles;
     data->vertices.assign(vertices.begin(), vertices.end());
     data->bounds = bounds_of(data->vertices, data->triangles);
+    data->ball = ball_around(data->vertices, data->bounds);
     return data;
   });
 }
@@ -97,6 +98,7 @@ Mesh::Mesh(std::span<const Eigen::Vector3d> vertices, std::span<const TriangleIn
   data->triangles = bare->triangles;
   data->vertices = bare->vertices;
   data->bounds = bare->bounds;
+  data->ball = bare->ball;
   data->materials =
       std::make_shared<const std::vector<std::uint16_t>>(materials.begin(), materials.end());
   data_ = std::move(data);
@@ -164,6 +166,7 @@ Mesh Mesh::deformed(std::span<const Eigen::Vector3d> vertices) const {
     data->materials = data_->materials;
     data->vertices.assign(vertices.begin(), vertices.end());
     data->bounds = bounds_of(data->vertices, data->triangles);
+    data->ball = ball_around(data->vertices, data->bounds);
     data->older_tree.set(data_->tree_to_inherit());
     data->older_wide.set(data_->wide_to_inherit());
     return Mesh(std::move(data));

@@ -11,6 +11,7 @@
 #include <graze/engine/mesh/data/orientation.h>
 #include <graze/engine/mesh/data/vertex_fans.h>
 #include <graze/engine/mesh/mesh.h>
+#include <graze/engine/mesh/placing/far_apart.h>
 
 #include <atomic>
 #include <memory>
@@ -40,6 +41,7 @@ struct Mesh::Data {
   std::shared_ptr<const std::vector<TriangleIndices>> shared_triangles;  ///< of all deformations
   std::span<const TriangleIndices> triangles;
   Aabb bounds;                                                  ///< of a patch that of the whole
+  MeshBall ball;                                                ///< around all vertices
   std::shared_ptr<const std::vector<std::uint16_t>> materials;  ///< nullptr if there are none
 
   std::vector<std::uint32_t> vertex_numbers;    ///< of a patch, in the whole; else empty

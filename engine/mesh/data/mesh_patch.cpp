@@ -12,6 +12,7 @@ Mesh mesh_of(MeshPatch&& patch) {
       std::make_shared<const std::vector<TriangleIndices>>(std::move(patch.triangles));
   data->triangles = *data->shared_triangles;
   data->bounds = patch.bounds;
+  data->ball = ball_around(data->vertices, data->bounds);
   data->vertex_numbers = std::move(patch.vertex_numbers);
   data->triangle_numbers = std::move(patch.triangle_numbers);
   data->is_rim = std::move(patch.is_rim);

@@ -1,4 +1,5 @@
 #include <graze/bvh/floating_point/standard_arithmetic.h>
+#include <graze/engine/mesh/data/mesh_data.h>
 #include <graze/engine/mesh/inside/parity.h>
 #include <graze/engine/mesh/inside/solid.h>
 #include <graze/engine/mesh/pair.h>
@@ -16,10 +17,19 @@
 namespace graze {
 namespace {
 
+/// Whether the balls around both prove that they are far apart: one test, and no tree is built.
+bool are_balls_apart(const PlacedMeshView& a, const PlacedMeshView& b, Work* work) {
+  const bool is_apart = are_surely_far_apart({a.pose, MeshAccess::data(a.mesh).ball},
+                                             {b.pose, MeshAccess::data(b.mesh).ball});
+  if (is_apart && work != nullptr) ++work->volume_tests, ++work->volume_rejections;
+  return is_apart;
+}
+
 /// for_each_pair() by wide trees.
 template <typename OnPair>
 void for_each_wide_pair(const PlacedMeshView& a, const PlacedMeshView& b, Touch touch, Work& work,
                         OnPair&& on_pair) {
+  if (are_balls_apart(a, b, &work)) return;
   const WideQuery query(a, b, work);
   if (query.are_far_apart(work)) return;
   bvh::WidePairWalk walk = query.walk();
@@ -74,6 +84,9 @@ bool intersects(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b,
       check_closed(mesh_a.mesh, "mesh A");
       check_closed(mesh_b.mesh, "mesh B");
     }
+    // Before there are counters: to clear them takes as long as to see this.
+    if (settings.volume == PairVolume::WideObb && are_balls_apart(mesh_a, mesh_b, work))
+      return false;
     CountedWork counted(work);
     const bool is_touching =
         settings.volume == PairVolume::WideObb
@@ -95,6 +108,7 @@ TrianglePairs find_triangle_pairs(const PlacedMeshView& mesh_a, const PlacedMesh
     TrianglePairs found;
     if (settings.threads != 1 && is_unlimited(settings) && settings.volume == PairVolume::WideObb) {
       narrowphase::check_touch(settings.touch);
+      if (are_balls_apart(mesh_a, mesh_b, &counted.work())) return found;
       const WideQuery query(mesh_a, mesh_b, counted.work());
       if (!query.are_far_apart(counted.work())) {
         found.pairs =

@@ -9,31 +9,40 @@
 #include <graze/narrowphase/triangle_triangle.h>
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <optional>
 
 namespace graze {
 namespace {
 
-/// The corners of two triangles, reordered so that the welded vertices they share come first, in
-/// the same order.
-struct Adjacency {
-  std::uint32_t corners_a[3];
-  std::uint32_t corners_b[3];
-  int shared = 0;
+/// A triangle of a mesh, and the welded vertices that its corners are.
+struct WeldedTriangle {
+  std::uint32_t index;
+  std::uint32_t welded[3];
 };
 
-Adjacency adjacency_of(const TriangleIndices& a, const TriangleIndices& b,
-                       std::span<const std::uint32_t> welded) {
-  Adjacency result{{a[0], a[1], a[2]}, {b[0], b[1], b[2]}};
+/// Which corners of two triangles stand where, so that those whose welded vertices they share come
+/// first, in the same order.
+struct Adjacency {
+  std::uint8_t corners_a[3] = {0, 1, 2};
+  std::uint8_t corners_b[3] = {0, 1, 2};
+  std::uint8_t shared = 0;
+};
+
+/// `are_same` has bit 3 i + j if corner i of the one is corner j of the other. A vertex that a
+/// triangle repeats is shared once.
+constexpr Adjacency adjacency_of(unsigned are_same) {
+  Adjacency result;
+  const auto are_equal = [&](int i, int j) {
+    return (are_same >> (3 * result.corners_a[i] + result.corners_b[j]) & 1) != 0;
+  };
   for (int i = 0; i < 3; ++i) {
-    for (int j = result.shared; j < 3; ++j) {
-      if (welded[result.corners_a[i]] != welded[result.corners_b[j]]) continue;
-      // A vertex that a triangle repeats is shared once.
-      bool is_repeated = false;
-      for (int k = 0; k < result.shared; ++k) {
-        is_repeated |= welded[result.corners_a[k]] == welded[result.corners_a[i]];
-      }
-      if (is_repeated) break;
+    bool is_repeated = false;
+    for (int k = 0; k < result.shared; ++k)
+      is_repeated |= are_equal(i, k);
+    for (int j = result.shared; j < 3 && !is_repeated; ++j) {
+      if (!are_equal(i, j)) continue;
       std::swap(result.corners_a[result.shared], result.corners_a[i]);
       std::swap(result.corners_b[result.shared], result.corners_b[j]);
       ++result.shared;
@@ -41,6 +50,23 @@ Adjacency adjacency_of(const TriangleIndices& a, const TriangleIndices& b,
     }
   }
   return result;
+}
+
+/// All of them: to compare and look up takes a third of the time that comparing and branching does.
+constexpr auto kAdjacencies = [] {
+  std::array<Adjacency, 512> all;
+  for (unsigned are_same = 0; are_same < all.size(); ++are_same)
+    all[are_same] = adjacency_of(are_same);
+  return all;
+}();
+
+const Adjacency& adjacency_of(const WeldedTriangle& a, const WeldedTriangle& b) {
+  unsigned are_same = 0;
+  for (unsigned i = 0; i < 3; ++i) {
+    for (unsigned j = 0; j < 3; ++j)
+      are_same |= static_cast<unsigned>(a.welded[i] == b.welded[j]) << (3 * i + j);
+  }
+  return kAdjacencies[are_same];
 }
 
 class SelfQuery {
@@ -51,12 +77,17 @@ class SelfQuery {
         welded_(mesh.welded()),
         work_(work) {}
 
+  WeldedTriangle welded(std::uint32_t index) const {
+    const TriangleIndices& t = triangles_[index];
+    return {index, {welded_[t[0]], welded_[t[1]], welded_[t[2]]}};
+  }
+
   /// How the triangles meet; nothing if they are apart.
-  std::optional<SelfPairKind> meet(std::uint32_t a, std::uint32_t b) {
+  std::optional<SelfPairKind> meet(const WeldedTriangle& a, const WeldedTriangle& b) {
     ++work_.triangle_tests;
-    const Adjacency adjacency = adjacency_of(triangles_[a], triangles_[b], welded_);
-    const Triangle triangle_a = triangle(adjacency.corners_a);
-    const Triangle triangle_b = triangle(adjacency.corners_b);
+    const Adjacency& adjacency = adjacency_of(a, b);
+    const Triangle triangle_a = triangle(a.index, adjacency.corners_a);
+    const Triangle triangle_b = triangle(b.index, adjacency.corners_b);
     if (adjacency.shared == 0) {
       if (!do_strangers_meet(triangle_a, triangle_b)) return std::nullopt;
       return SelfPairKind::Crossing;
@@ -70,8 +101,9 @@ class SelfQuery {
   }
 
  private:
-  Triangle triangle(const std::uint32_t (&corners)[3]) const {
-    return {vertices_[corners[0]], vertices_[corners[1]], vertices_[corners[2]]};
+  Triangle triangle(std::uint32_t index, const std::uint8_t (&corners)[3]) const {
+    const TriangleIndices& t = triangles_[index];
+    return {vertices_[t[corners[0]]], vertices_[t[corners[1]]], vertices_[t[corners[2]]]};
   }
 
   bool do_strangers_meet(const Triangle& triangle_a, const Triangle& triangle_b) {
@@ -115,10 +147,12 @@ void for_each_self_pair(const Mesh& mesh, const SelfSettings& settings, Work& wo
     const bool is_same = &leaf_a == &leaf_b;
     if (is_same) on_leaf(leaf_a.count);
     for (std::uint32_t i = leaf_a.first; i < leaf_a.first + leaf_a.count; ++i) {
+      const WeldedTriangle one = query.welded(tree.primitives[i]);
       const std::uint32_t first = is_same ? i + 1 : leaf_b.first;
       for (std::uint32_t j = first; j < leaf_b.first + leaf_b.count; ++j) {
-        const auto [a, b] = std::minmax(tree.primitives[i], tree.primitives[j]);
-        if (query.meet(a, b) != settings.kind) continue;
+        const WeldedTriangle other = query.welded(tree.primitives[j]);
+        if (query.meet(one, other) != settings.kind) continue;
+        const auto [a, b] = std::minmax(one.index, other.index);
         if (on_pair(TrianglePair{a, b}) == bvh::Walk::Stop) return bvh::Walk::Stop;
       }
     }

@@ -4,6 +4,7 @@
 // slabs. Plain arrays at the border: the minima of all slabs, then the maxima. Rows are padded to
 // whole blocks of eight (volume_rows.h); hits are not.
 
+#include <graze/bvh/kdop.h>
 #include <graze/narrowphase/volumes/volume_rows.h>
 #include <array>
 #include <cstddef>
@@ -22,5 +23,15 @@ void find_overlaps(const RowPointers<6>& a, const RowPointers<6>& b, std::size_t
                    std::uint8_t* hits);
 void find_overlaps(const RowPointers<18>& a, const RowPointers<18>& b, std::size_t count,
                    std::uint8_t* hits);
+
+enum class KDopPairAnswer {
+  Apart,
+  MayOverlap,
+  Invalid,  ///< a slab of either is not finite, or its minimum exceeds its maximum
+};
+
+/// Checks two k-DOPs and tells them apart at once, by comparisons of whole numbers: right however
+/// the thread computes.
+KDopPairAnswer look_at_pair(const KDop<18>& a, const KDop<18>& b);
 
 }  // namespace graze::narrowphase

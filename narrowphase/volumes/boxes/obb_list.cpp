@@ -23,9 +23,9 @@ void ObbList::add(const Obb& box) {
 
 void intersects(const Obb& box, const ObbList& boxes, std::span<std::uint8_t> hits) {
   bvh::in_standard_arithmetic([&] {
-    bvh::check_box(box, "box");
+    const double deviation = bvh::check_box(box, "box");
     narrowphase::check_hits(hits, boxes.size());
-    narrowphase::find_overlaps(narrowphase::row_of(box), boxes.rows_.rows(), hits.size(),
+    narrowphase::find_overlaps(narrowphase::row_of(box, deviation), boxes.rows_.rows(), hits.size(),
                                hits.data());
   });
 }

@@ -1,7 +1,9 @@
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/bvh/value/checks.h>
 #include <graze/bvh/value/dot.h>
+#include <graze/bvh/value/rigid.h>
 #include <graze/bvh/value/separating_axes.h>
+#include <graze/narrowphase/volumes/boxes/obb_pair_kernels.h>
 #include <graze/narrowphase/volumes/boxes/obb_slack.h>
 #include <graze/narrowphase/volumes/obb_overlap.h>
 #include <graze/narrowphase/volumes/obb_rows.h>
@@ -41,7 +43,7 @@ bool may_overlap_in_order(const ObbRow& a, const ObbRow& b) {
 
 }  // namespace
 
-ObbRow row_of(const Obb& box) {
+ObbRow row_of(const Obb& box, double deviation) {
   const double* half = box.half_extents.data();
   const double* m = box.pose.data();  // column-major 4x4
   ObbRow row;
@@ -52,8 +54,12 @@ ObbRow row_of(const Obb& box) {
     for (std::size_t k = 0; k < 3; ++k)
       row[kAxisRow + 3 * i + k] = m[4 * i + k];
   }
-  row[kDeviationRow] = rotation_deviation(box.pose);
+  row[kDeviationRow] = deviation;
   return row;
+}
+
+ObbRow row_of(const Obb& box) {
+  return row_of(box, bvh::RotationError(box.pose).largest());
 }
 
 Obb obb_of(const ObbRow& row) {
@@ -100,19 +106,25 @@ bool may_overlap(const Aabb& aligned, const ObbRow& oriented) {
 
 }  // namespace narrowphase
 
+using narrowphase::ObbPairAnswer;
+
 bool intersects(const Obb& box_a, const Obb& box_b) {
   return bvh::in_standard_arithmetic([&]() -> bool {
-    bvh::check_box(box_a, "box a");
-    bvh::check_box(box_b, "box b");
-    return narrowphase::may_overlap(narrowphase::row_of(box_a), narrowphase::row_of(box_b));
+    const ObbPairAnswer answer = narrowphase::look_at_pair(box_a, box_b);
+    if (answer != ObbPairAnswer::Open) [[likely]]
+      return answer == ObbPairAnswer::MayOverlap;
+    const double deviation_a = bvh::check_box(box_a, "box a");
+    const double deviation_b = bvh::check_box(box_b, "box b");
+    return narrowphase::may_overlap(narrowphase::row_of(box_a, deviation_a),
+                                    narrowphase::row_of(box_b, deviation_b));
   });
 }
 
 bool intersects(const Aabb& aligned, const Obb& oriented) {
   return bvh::in_standard_arithmetic([&]() -> bool {
     bvh::check_box(aligned, "aligned box");
-    bvh::check_box(oriented, "oriented box");
-    return narrowphase::may_overlap(aligned, narrowphase::row_of(oriented));
+    const double deviation = bvh::check_box(oriented, "oriented box");
+    return narrowphase::may_overlap(aligned, narrowphase::row_of(oriented, deviation));
   });
 }
 

@@ -10,6 +10,7 @@
 #include <string>
 #include <thread>
 #include <utility>
+#include <vector>
 
 #include "tests/benchmark/common/processor_name.h"
 #include "tests/benchmark/error/baselines/add_baselines.h"
@@ -35,7 +36,16 @@ struct Options {
   std::size_t poses = 12;
   std::size_t distance_poses = 3;
   int repetitions = 5;
+  std::vector<std::string> questions;  ///< which to ask; all if there are none
 };
+
+bool is_asked(const Options& options, const char* question) {
+  const std::vector<std::string>& chosen = options.questions;
+  return chosen.empty() || std::find(chosen.begin(), chosen.end(), question) != chosen.end();
+}
+
+/// Which answers can be wrong.
+enum class Sides { Both, OnlyApart };
 
 template <typename Element>
 QuestionResult ask(const char* question, const Contestants<Element>& contestants,
@@ -102,6 +112,18 @@ Field all_contestants() {
   return field;
 }
 
+void ask_about_meshes_and_distances(const Field& field, const Options& options, Json& document) {
+  for (const QuestionResult& result : contest_of_meshes(
+           field.meshes,
+           {.data = options.data, .poses = options.poses, .repetitions = options.repetitions}))
+    document["questions"].push_back(to_json(result));
+  document["distances"].push_back(to_json(ask_distances(field.distances, options)));
+  document["distances"].push_back(to_json(
+      contest_of_mesh_distances(field.mesh_distances, {.data = options.data,
+                                                       .poses = options.distance_poses,
+                                                       .repetitions = options.repetitions})));
+}
+
 void run(const Options& options) {
   const Field field = all_contestants();
   Json document;
@@ -110,36 +132,29 @@ void run(const Options& options) {
   document["repetitions"] = options.repetitions;
   document["absent"] = absent_peers();
   document["questions"] = Json::array();
-  const auto keep = [&](const QuestionResult& result) {
+  const auto keep = [&](const char* question, const auto& contestants, std::size_t categories,
+                        auto* make, Sides sides) {
+    if (!is_asked(options, question)) return;
+    QuestionResult result = ask(question, contestants, categories, make, options);
+    result.is_one_sided = sides == Sides::OnlyApart;
     document["questions"].push_back(to_json(result));
   };
-  keep(ask("triangle and triangle", field.triangle_pairs, pair_category_count(), pair_category,
-           options));
-  keep(ask("triangle and box", field.triangle_boxes, box_category_count(), box_category, options));
-  keep(ask("sphere and box", field.sphere_boxes, sphere_category_count(), sphere_box_category,
-           options));
-  keep(ask("sphere and sphere", field.sphere_pairs, sphere_category_count(), sphere_pair_category,
-           options));
-  keep(ask("point and triangle, moving", field.moving_points, motion_category_count(),
-           moving_point_category, options));
-  keep(ask("edge and edge, moving", field.moving_edges, motion_category_count(),
-           moving_edge_category, options));
-  for (QuestionResult result :
-       {ask("box and box, oriented", field.obb_pairs, obb_category_count(), obb_category, options),
-        ask("k-DOP and k-DOP", field.kdop_pairs, kdop_category_count(), kdop_category, options)}) {
-    result.is_one_sided = true;
-    keep(result);
-  }
-  for (const QuestionResult& result : contest_of_meshes(
-           field.meshes,
-           {.data = options.data, .poses = options.poses, .repetitions = options.repetitions}))
-    keep(result);
+  keep("triangle and triangle", field.triangle_pairs, pair_category_count(), pair_category,
+       Sides::Both);
+  keep("triangle and box", field.triangle_boxes, box_category_count(), box_category, Sides::Both);
+  keep("sphere and box", field.sphere_boxes, sphere_category_count(), sphere_box_category,
+       Sides::Both);
+  keep("sphere and sphere", field.sphere_pairs, sphere_category_count(), sphere_pair_category,
+       Sides::Both);
+  keep("point and triangle, moving", field.moving_points, motion_category_count(),
+       moving_point_category, Sides::Both);
+  keep("edge and edge, moving", field.moving_edges, motion_category_count(), moving_edge_category,
+       Sides::Both);
+  keep("box and box, oriented", field.obb_pairs, obb_category_count(), obb_category,
+       Sides::OnlyApart);
+  keep("k-DOP and k-DOP", field.kdop_pairs, kdop_category_count(), kdop_category, Sides::OnlyApart);
   document["distances"] = Json::array();
-  document["distances"].push_back(to_json(ask_distances(field.distances, options)));
-  document["distances"].push_back(to_json(
-      contest_of_mesh_distances(field.mesh_distances, {.data = options.data,
-                                                       .poses = options.distance_poses,
-                                                       .repetitions = options.repetitions})));
+  if (options.questions.empty()) ask_about_meshes_and_distances(field, options, document);
   write(document, options.output);
 }
 
@@ -177,6 +192,10 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(1, 1000000));
   program.add_option("--repetitions", options.repetitions, "runs of each contestant (default 5)")
       ->check(CLI::Range(1, 1000));
+  program.add_option(
+      "--question", options.questions,
+      "ask only this one of triangles, boxes, spheres, paths and k-DOPs, by its name "
+      "in the JSON; may be repeated (default: all, and meshes and distances)");
   CLI11_PARSE(program, argc, argv);
   try {
     graze::benchmark::run(options);

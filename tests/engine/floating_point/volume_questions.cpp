@@ -1,3 +1,5 @@
+#include <array>
+
 #include "tests/engine/floating_point/questions.h"
 
 namespace graze::tests {
@@ -73,6 +75,10 @@ void ask_many(const Inputs& in, Words& words) {
   std::vector<std::uint8_t> hits(2);
   intersects(kdops[0], kdops, hits), add_hits(words, hits);
   intersects(kdops, kdops, hits), add_hits(words, hits);
+  for (const Aabb& box : in.boxes) {
+    const auto corners = std::array{box.min, box.max};
+    words.add(intersects(kdops[0], bounding_kdop(corners)));
+  }
   intersects(in.obb_b, turned, hits), add_hits(words, hits);
   intersects(turned, turned, hits), add_hits(words, hits);
   words.add(turned[0]);

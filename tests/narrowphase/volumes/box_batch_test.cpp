@@ -132,6 +132,7 @@ void expect_batch_as_single(const P& pairs) {
     Hits hits(expected.size(), 7);
     intersects(pairs.a, pairs.b, hits);
     EXPECT_EQ(hits, expected) << hwy::TargetName(target);
+    EXPECT_EQ(one_by_one(pairs), expected) << hwy::TargetName(target);
     for (std::size_t k = 0; k < 4; ++k) {
       std::fill(hits.begin(), hits.end(), std::uint8_t{7});
       intersects(pairs.a[chosen[k]], pairs.b, hits);

@@ -6,10 +6,13 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <string>
 
 #include "tests/narrowphase/volumes/obb_cases.h"
 #include "tests/narrowphase/volumes/rational_boxes.h"
+#include "tests/narrowphase/volumes/simd_targets.h"
 
 namespace graze {
 namespace {
@@ -257,6 +260,55 @@ TEST(Law10ObbOverlap, BadBoxesAreRefused) {
   } catch (const InputError& error) {
     EXPECT_STREQ(error.what(), "box b: half extent y is negative or not finite");
   }
+}
+
+// One number of a box is spoilt, whichever of the two is the larger one, on every SIMD target.
+TEST(Law10ObbOverlap, EveryNumberIsLookedAt) {
+  const auto expect_refused = [](const Obb& bad, const std::string& what) {
+    for (const double half : {0.5, 1.0, 2.0}) {
+      EXPECT_THROW(intersects(bad, cube(half)), Error) << what;
+      EXPECT_THROW(intersects(cube(half), bad), Error) << what;
+    }
+  };
+  const double infinity = HUGE_VAL;
+  for (const std::int64_t target : simd_targets()) {
+    force_simd_target(target);
+    EXPECT_TRUE(intersects(cube(0.5), cube(1)));
+    for (const double value : {std::nan(""), infinity, -infinity}) {
+      for (int i = 0; i < 16; ++i) {
+        Obb bad = cube(1);
+        bad.pose.data()[i] = value;
+        expect_refused(bad, std::to_string(i) + " of " + hwy::TargetName(target));
+      }
+    }
+    for (int i = 0; i < 12; ++i) {
+      if (i % 4 != 3) continue;
+      Obb bad = cube(1);
+      bad.pose.data()[i] = 0x1p-1074;
+      expect_refused(bad, std::to_string(i) + " of " + hwy::TargetName(target));
+    }
+    for (const double value : {std::nan(""), infinity, -0x1p-1074}) {
+      for (int i = 0; i < 3; ++i) {
+        Obb bad = cube(1);
+        bad.half_extents[i] = value;
+        expect_refused(bad, "half extent " + std::to_string(i) + " of " + hwy::TargetName(target));
+      }
+    }
+    // A shear turns one angle alone out of bounds, a stretch one length.
+    for (int i = 0; i < 3; ++i) {
+      for (int k = 0; k < 3; ++k) {
+        Obb bad = cube(1);
+        bad.pose.linear()(i, k) += 1.5 * kMaxRotationDeviation;
+        expect_refused(bad, std::to_string(3 * i + k) + " off by " + hwy::TargetName(target));
+        bad.pose.linear()(i, k) -= 1.1 * kMaxRotationDeviation;
+        EXPECT_NO_THROW(intersects(bad, cube(0.5)));
+      }
+      Obb mirrored = cube(1);
+      mirrored.pose.linear()(i, i) = -1;
+      expect_refused(mirrored, "mirrored " + std::to_string(i));
+    }
+  }
+  force_simd_target(0);
 }
 
 }  // namespace

@@ -4,7 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
+#include <limits>
+#include <vector>
 
+#include "tests/narrowphase/volumes/simd_targets.h"
 #include "tests/narrowphase/volumes/volume_source.h"
 
 namespace graze {
@@ -103,6 +107,45 @@ TEST(Law11KDop, BevelsSeparateWhatBoxesDoNot) {
   EXPECT_FALSE(intersects(low, high));
   high.min[3] = 3;
   EXPECT_TRUE(intersects(low, high));
+}
+
+// What keeps two k-DOPs apart, or is wrong with one, is one slab in one of its numbers: zeros of
+// both signs, the least and the greatest numbers, what is not finite. The rest are [-1, 1].
+TEST(Law11KDop, EverySimdTargetComparesAsDoublesCompare) {
+  const double most = std::numeric_limits<double>::max(), least = 0x1p-1074;
+  const std::vector<double> values = {0.0,        -0.0,      least,        -least,       0x1p-1022,
+                                      -0x1p-1022, 1,         -1,           most,         -most,
+                                      HUGE_VAL,   -HUGE_VAL, std::nan(""), -std::nan("")};
+  KDop<18> whole;
+  whole.min.fill(-1);
+  whole.max.fill(1);
+  const auto is_valid = [](double low, double high) {
+    return std::isfinite(low) && std::isfinite(high) && low <= high;
+  };
+  for (const std::int64_t target : simd_targets()) {
+    force_simd_target(target);
+    for (std::size_t slab = 0; slab < kSlabs; ++slab) {
+      for (std::size_t n = 0; n < values.size() * values.size(); ++n) {
+        const double low = values[n / values.size()], high = values[n % values.size()];
+        KDop<18> bad = whole;
+        bad.min[slab] = low;
+        bad.max[slab] = high;
+        if (!is_valid(low, high)) {
+          EXPECT_THROW(intersects(bad, whole), InputError) << low << ' ' << high;
+          EXPECT_THROW(intersects(whole, bad), InputError) << low << ' ' << high;
+          continue;
+        }
+        KDop<18> before = whole, after = whole;
+        before.min[slab] = -most;
+        before.max[slab] = low;
+        after.min[slab] = high;
+        after.max[slab] = most;
+        ASSERT_EQ(intersects(before, after), high <= low) << low << ' ' << high << ' ' << slab;
+        ASSERT_EQ(intersects(after, before), high <= low) << low << ' ' << high << ' ' << slab;
+      }
+    }
+  }
+  force_simd_target(0);
 }
 
 TEST(Law10SlabOverlap, BadVolumesAreRefused) {

@@ -1,0 +1,32 @@
+#pragma once
+
+// Balls around meshes, by which a query sees what is far away before it asks a tree. Private to
+// engine/mesh.
+
+#include <graze/bvh/aabb.h>
+#include <graze/bvh/pose.h>
+
+#include <span>
+
+namespace graze {
+
+struct MeshBall {
+  double centre[3];  ///< the middle of the mesh's bounds
+  double radius;     ///< no vertex is further from there; infinite where that could overflow
+  double sizes;      ///< sum_of_sizes() of the bounds
+};
+
+/// Around vertices within `bounds`. Linear.
+MeshBall ball_around(std::span<const Eigen::Vector3d> vertices, const Aabb& bounds);
+
+struct PlacedBall {
+  const Pose& pose;
+  const MeshBall& ball;
+};
+
+/// Whether check_placement() lets both poses in and no two placed points of the meshes are equal,
+/// both for sure: what most pairs of far meshes are, in a fraction of the time that frames of trees
+/// take. False tells nothing.
+bool are_surely_far_apart(const PlacedBall& a, const PlacedBall& b);
+
+}  // namespace graze
