@@ -117,6 +117,21 @@ TEST(SpecialPoses, ContactsOnNeedleTrianglesDoNotLiePastTheirTips) {
   }
 }
 
+// Far from the origin placing leaves nothing of it but a point or a line: there it is touched.
+TEST(SpecialPoses, ContactsOnTrianglesWithoutAreaStandOnThem) {
+  RandomSource source(99);
+  for (std::size_t n = 0; n < 3000; ++n) {
+    const double along = n % 3 == 0 ? 1 : 1e-10;
+    PlacedPair pair{tests::plain_shape(tests::kOwnKinds[n % 7], n / 7),
+                    triangle({-along, 0, 0}, {along, 0, 0}, {0, 1e-14, 0}),
+                    tests::random_pose(0, source), tests::random_pose(0, source)};
+    const Vector3d far = source.vector(-1, 1) * 1e5;
+    pair.pose_a.translation() += far;
+    pair.pose_b.translation() += far + source.vector(-0.1, 0.1);
+    ASSERT_LE(farthest_off(pair), 0x1p-32 + 1e-14 * far.norm()) << n;
+  }
+}
+
 // There the corner leads no way out of the capsule: which is the rounding of its distance.
 TEST(SpecialPoses, ACornerOnTheAxisOfACapsuleLeavesThroughItsSurface) {
   RandomSource source(98);
