@@ -125,4 +125,41 @@ ClippedFace clip(const ContactFace& face, const ContactFace& sides, const Vec3& 
   return clipped;
 }
 
+bool is_sharp(const ContactFace& face) {
+  // What is off edges by 2^-46 of the scale lies past a corner of this angle by 2^-34 of it at
+  // most.
+  constexpr double kSharp = 0x1p-12;
+  if (face.count < 3) return false;
+  Vec3 before = face.corner[0] - face.corner[face.count - 1];
+  for (int i = 0; i < face.count; ++i) {
+    const Vec3 after = face.corner[i + 1 == face.count ? 0 : i + 1] - face.corner[i];
+    if (dot(before, after) < 0 &&
+        length(cross(before, after)) < kSharp * length(before) * length(after)) {
+      return true;
+    }
+    before = after;
+  }
+  return false;
+}
+
+std::optional<Vec3> on_nearest_edge(const ContactFace& face, const Vec3& point,
+                                    const Vec3& direction, double slack) {
+  const auto seen = [&](const Vec3& v) { return v - direction * dot(v, direction); };
+  bool is_within = true;
+  Vec3 nearest = point;
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < face.count; ++i) {
+    const Vec3& corner = face.corner[i];
+    const Vec3 whole_edge = face.corner[i + 1 == face.count ? 0 : i + 1] - corner;
+    const Vec3 edge = seen(whole_edge), offset = seen(point - corner);
+    const Vec3 out = cross(edge, face.normal);
+    if (!(dot(offset, out) < -slack * length(out))) is_within = false;
+    const double square = dot(edge, edge);
+    const double share = square > 0 ? std::clamp(dot(offset, edge) / square, 0.0, 1.0) : 0;
+    const Vec3 way = edge * share - offset;
+    if (dot(way, way) < least) least = dot(way, way), nearest = corner + whole_edge * share;
+  }
+  return is_within ? std::nullopt : std::optional(nearest);
+}
+
 }  // namespace graze::narrowphase

@@ -3,6 +3,7 @@
 #include <graze/narrowphase/convex/core/contact_face.h>
 
 #include <cstdint>
+#include <optional>
 
 namespace graze::narrowphase {
 
@@ -35,5 +36,16 @@ struct ClippedFace {
 /// however they jitter, and no point leaves the face.
 ClippedFace clip(const ContactFace& face, const ContactFace& sides, const Vec3& direction,
                  double within);
+
+/// Whether two edges of a face meet at so small an angle that points which are off them by no more
+/// than rounding may lie well past the corner.
+bool is_sharp(const ContactFace& face);
+
+/// Of a point that is not beyond any edge of a face but for rounding, which is at most `slack`,
+/// metres, as it is seen along a unit direction: the point of the edges that is nearest to it as it
+/// is seen so, which is as near as that unless the point lies past a sharp corner. Nothing if it
+/// lies as far within.
+std::optional<Vec3> on_nearest_edge(const ContactFace& face, const Vec3& point,
+                                    const Vec3& direction, double slack);
 
 }  // namespace graze::narrowphase

@@ -19,6 +19,9 @@ constexpr double kSameDepth = 1e-6;
 // kTouchTolerance of engine/world allows a hit to be.
 constexpr double kTouching = 0x1p-34;
 
+// As a share of that, more than rounding: 2^-46 of the scale.
+constexpr double kSlack = 0x1p-12;
+
 // A face takes part if its normal is within 8 degrees of the contact's.
 constexpr double kFacing = 0.99;
 
@@ -90,6 +93,33 @@ struct Tolerances {
   double coinciding;
 };
 
+bool is_beyond_an_edge(const ContactFace& face, const Vec3& point, double by) {
+  for (int i = 0; i < face.count && face.count > 2; ++i) {
+    const Vec3 edge = face.corner[i + 1 == face.count ? 0 : i + 1] - face.corner[i];
+    const Vec3 out = cross(edge, face.normal);
+    if (dot(point - face.corner[i], out) > by * length(out)) return true;
+  }
+  return false;
+}
+
+/// Brings a corner of the clipped face, and the point of the reference along `out` from it, back
+/// from past a sharp corner of the reference. The normal of such a face is no better known than
+/// where its edges meet: so the one goes onto an edge itself, the other along its own face. False
+/// if that takes it off that face.
+bool move_within(const ContactFace& incident, const ContactFace& reference, const Vec3& out,
+                 double touching, Vec3& met, Vec3& own) {
+  constexpr double kSteep = 0.125;
+  const std::optional<Vec3> on_edge = on_nearest_edge(reference, met, out, kSlack * touching);
+  if (!on_edge) return true;
+  const Vec3 by = *on_edge - met;
+  const Vec3 aside = by - out * dot(by, out);
+  const double facing = dot(incident.normal, out);
+  met = *on_edge;
+  own = own + aside;
+  if (std::abs(facing) > kSteep) own = own - out * (dot(incident.normal, aside) / facing);
+  return !is_beyond_an_edge(incident, own, touching);
+}
+
 /// The clipped corners of the incident face that are behind the reference's, whose outward sense
 /// along the normal is `sign`: 1 if it is A's. What is clipped along the normal lies, where that
 /// leads, in both faces.
@@ -99,12 +129,17 @@ void add_clipped(const FaceOf& incident, const FaceOf& reference, const Penetrat
   const Vec3 out = penetration.normal * sign;
   const ClippedFace clipped = clip(incident.face, sides, out, tolerance.coinciding);
   const double facing = dot(sides.normal, out);
+  const bool has_sharp_corners = clipped.count > 0 && is_sharp(sides);
   for (int i = 0; i < clipped.count; ++i) {
     const ClippedFace::Corner& corner = clipped.corner[i];
     ContactPoint contact;
     contact.normal = penetration.normal;
     contact.depth = dot(sides.normal, sides.corner[0] - corner.point) / facing;
     Vec3 met = corner.point + out * contact.depth, own = corner.point;
+    if (has_sharp_corners) {
+      if (!move_within(incident.face, sides, out, tolerance.touching, met, own)) continue;
+      contact.depth = dot(met - own, out);
+    }
     if (is_uneven(reference) || is_uneven(incident)) {
       const std::optional<Vec3> on_reference = onto_surface(reference, met, out);
       const std::optional<Vec3> on_incident = onto_surface(incident, own, -out);
@@ -140,11 +175,27 @@ void add_single(const Core& a, const Core& b, const Parting& parting,
 
 }  // namespace
 
+namespace {
+
+/// Planes through the edges of a triangle without any area, but for rounding, bound nothing.
+bool has_no_area(const Core& triangle) {
+  constexpr double kNoArea = 0x1p-48;
+  const Vec3 edge_b = triangle.corner[1] - triangle.corner[0];
+  const Vec3 edge_c = triangle.corner[2] - triangle.corner[0];
+  const double longest = std::max(largest(edge_b), largest(edge_c));
+  return !(longest > 0) ||
+         !(largest(cross(edge_b * (1 / longest), edge_c * (1 / longest))) > kNoArea);
+}
+
+bool has_face(const Core& core) {
+  if (core.kind == CoreKind::Triangle) return !has_no_area(core);
+  return core.kind != CoreKind::Point && core.kind != CoreKind::Ellipsoid;
+}
+
+}  // namespace
+
 void add_face_contact_points(const Core& a, const Core& b, const Penetration& penetration,
                              std::vector<ContactPoint>& contacts) {
-  const auto has_face = [](const Core& core) {
-    return core.kind != CoreKind::Point && core.kind != CoreKind::Ellipsoid;
-  };
   if (!has_face(a) || !has_face(b)) return;
   const Vec3& normal = penetration.normal;
   const ContactFace face_a = face_along(a, normal);

@@ -47,12 +47,11 @@ bool part_along_gap(const Core& a, const Core& b, const CoreGap& gap, Parting& p
   if (!(gap.upper > kRoundingOfGaps * scale || (radii == 0 && gap.upper > 0))) return false;
   const Vec3 between = unit_or(gap.point_b - gap.point_a, gap.normal);
   Penetration& penetration = parting.penetration;
-  penetration.normal = gap.lower > 0 ? gap.normal : between;
+  penetration.normal = gap.lower > 0 ? gap_normal(a, b, gap) : between;
   penetration.depth = radii - gap.upper;  // which is no more than the least
   // Planes at right angles to the normal are as far apart as the bound says, which is then enough.
   if (gap.upper - gap.lower <= kRoundingOfGaps * scale && gap.upper > kWellKnown * scale)
     return true;
-  if (gap.lower > 0) penetration.normal = gap_normal(a, b, gap);
   const double along_normal = along(a, b, penetration.normal).depth;
   if (along_normal - penetration.depth > depth_tolerance(a, b)) return false;
   if (along_normal - penetration.depth > kRoundingOfGaps * scale) penetration.depth = along_normal;

@@ -2,7 +2,6 @@
 #include <graze/narrowphase/convex/core/hull.h>
 
 #include <algorithm>
-#include <limits>
 
 namespace graze::narrowphase {
 namespace {
@@ -123,12 +122,14 @@ ContactFace hull_face(const Core& core, const Vec3& own) {
   face.id = static_cast<std::uint32_t>(best);
   constexpr std::uint32_t kMost = ContactFace::kMostCorners;
   const std::uint32_t count = found.count < kMost ? found.count : kMost;
-  double highest = -std::numeric_limits<double>::infinity(), lowest = -highest;
+  // Corners within an edge of the polygon, as it is seen along the normal, are none of its own, and
+  // may all the same be the ones in front.
+  const double highest = hull.contact_offsets[best];
+  double lowest = highest;
   for (std::uint32_t i = 0; i < count; ++i) {
     const std::uint32_t corner = hull.contact_loops[found.first + i * found.count / count];
     add(face, core, hull.corners[corner], corner);
-    const double height = dot(found.normal, hull.corners[corner]);
-    highest = std::max(highest, height), lowest = std::min(lowest, height);
+    lowest = std::min(lowest, dot(found.normal, hull.corners[corner]));
   }
   face.unevenness = highest - lowest;
   set_normal(face, core, found.normal);

@@ -18,7 +18,7 @@ struct ContactFace {
   std::uint32_t corner_id[kMostCorners];  ///< of the set's own corners, the same in every pose
   int count = 0;
   Vec3 normal;            ///< unit, outward
-  double unevenness = 0;  ///< how far behind the plane of that normal some corner lies, of a hull
+  double unevenness = 0;  ///< of a hull: how far some corner lies behind the plane that supports it
   std::uint32_t id = 0;   ///< of the face among those of its set
 };
 

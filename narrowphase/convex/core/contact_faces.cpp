@@ -88,6 +88,7 @@ class ContactFaces {
       hull_.contact_loops.insert(hull_.contact_loops.end(), found.loop.begin(), found.loop.end());
       const Hull::Face& seed = hull_.faces[found.seed];
       hull_.contact_faces.push_back({seed.normal, begin, static_cast<Index>(found.loop.size())});
+      hull_.contact_offsets.push_back(hull_.offsets[found.seed]);
     }
   }
 

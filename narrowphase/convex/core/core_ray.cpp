@@ -145,21 +145,30 @@ Line moved(const Line& line, const Vec3& by) {
   return {line.origin - by, line.direction};
 }
 
+/// What a normal has along `way` is taken from it if it looks that way: where the line grazes a
+/// side rounding may turn the normal so. False if that is most of it, which then is rounding
+/// itself.
+bool turn_against(const Vec3& way, Vec3& normal) {
+  const double along = dot(normal, way);
+  if (!(along > 0)) return largest(normal) > 0;
+  const double before = dot(normal, normal);
+  normal = normal - way * (along / dot(way, way));
+  return dot(normal, normal) > 0.5 * before;
+}
+
 /// Where the line enters: away from the segment, and where its inside is nearest at right angles to
 /// it and against the line, however thin the capsule is.
 Vec3 capsule_normal(const Line& line, double enter, const Vec3& axis, double half_length) {
-  const auto is_against = [&](const Vec3& normal) {
-    const double size = largest(normal);
-    return size > 0 && dot(normal, line.direction) <= kParallel * size;
-  };
   const Vec3 point = at(line, enter);
   const double along = dot(point, axis);
   if (std::abs(along) > half_length) {
-    const Vec3 of_end = point - axis * (along < 0 ? -half_length : half_length);
-    if (is_against(of_end)) return of_end;
+    Vec3 of_end = point - axis * (along < 0 ? -half_length : half_length);
+    if (turn_against(line.direction, of_end)) return of_end;
   }
-  const Vec3 of_tube = across(across(point, axis), axis);  // the second takes what the first left
-  return is_against(of_tube) ? of_tube : -across(line.direction, axis);
+  const Vec3 beside = across(line.direction, axis);
+  Vec3 of_tube = across(across(point, axis), axis);  // the second takes what the first left
+  if (length(beside) < kParallel * length(line.direction)) return of_tube;
+  return turn_against(beside, of_tube) ? of_tube : -beside;
 }
 
 Stretch in_capsule(const Line& line, const Vec3& half_axis, double radius) {
@@ -318,6 +327,14 @@ Stretch in_core(const Core& core, const Line& line, double size) {
   return stretch;
 }
 
+/// Of length 1, and against the ray in spite of what rounding makes of one that is at right angles
+/// to it.
+Vec3 unit_against(const Vec3& normal, const Vec3& direction) {
+  const Vec3 unit = unit_or(normal, -direction);
+  const double along = dot(unit, direction);
+  return along > 0 ? unit_or(unit - direction * (along + 0x1p-52), -direction) : unit;
+}
+
 /// A hull's faces may meet at any angle, so that planes that are elsewhere by however little may
 /// meet far away. So it is the ray that is moved, by rounding, and what it meets is exact. From
 /// near the hull the ray begins where it does, from afar at its point nearest to the middle.
@@ -328,7 +345,7 @@ std::optional<CoreRayHit> cast_at_hull(const Core& core, const Vec3& from_middle
   const auto placed = [&](const HullRayHit& hit, double before) {
     const double distance = before + hit.distance;
     if (!(distance > 0)) return CoreRayHit{0, -direction};
-    return CoreRayHit{distance, unit_or(into_own.normal_back(hit.normal), -direction)};
+    return CoreRayHit{distance, unit_against(into_own.normal_back(hit.normal), direction)};
   };
   const Vec3 along = into_own(direction);
   if (far <= 4 * core.bounding_radius) {
@@ -363,7 +380,7 @@ std::optional<CoreRayHit> cast_ray(const Core& core, const Vec3& origin, const V
   const double exit = to_nearest * far + stretch.exit * size;
   if (exit < 0) return std::nullopt;
   if (!(enter > 0)) return CoreRayHit{0, -direction};
-  return CoreRayHit{enter, unit_or(stretch.normal, -direction)};
+  return CoreRayHit{enter, unit_against(stretch.normal, direction)};
 }
 
 }  // namespace graze::narrowphase

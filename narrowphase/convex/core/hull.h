@@ -28,6 +28,7 @@ struct Hull {
 
   /// What bodies rest on: convex polygons of corners (contact_faces.h).
   std::vector<Face> contact_faces;
+  std::vector<double> contact_offsets;  ///< of their planes, which no point of the hull is beyond
   std::vector<std::uint32_t> contact_loops;
 };
 

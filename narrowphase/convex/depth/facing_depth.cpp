@@ -252,7 +252,15 @@ std::optional<Exit> CornerExits::of_rounded() {
   ++part_;
   const Vec3 reach = core_.axis[2] * (core_.kind == CoreKind::Segment ? core_.half.z : 0);
   const Vec3 nearest = nearest_on_segment(core_.at - reach, core_.at + reach, corner_);
-  const Vec3 away = corner_ - nearest;
+  Vec3 away = corner_ - nearest;
+  if (core_.kind == CoreKind::Segment) {
+    // Of a corner on the segment this is rounding, and no way through the surface unless it leads
+    // across the segment, or out beyond an end.
+    const double beyond = own_.z >= core_.half.z ? 1 : own_.z <= -core_.half.z ? -1 : 0;
+    const Vec3 axis = unit_or(core_.axis[2], {0, 0, 1});
+    for (int i = 0; i < 2 && !(beyond * dot(away, axis) > 0); ++i)
+      away = away - axis * dot(away, axis);  // the second takes what the first left
+  }
   const double distance = length(away);
   if (!(distance > 0)) return std::nullopt;
   return Exit{-unit_or(away, {0, 0, 1}), core_.radius - distance};

@@ -250,6 +250,32 @@ TEST(ConvexRayNormal, OfACapsuleThatIsAllButABallIsTheBalls) {
   }
 }
 
+// Along a line that touches its side, or an end, or both at once, rounding may turn a normal to the
+// way that the ray goes, the more so the thinner the capsule is.
+TEST(ConvexRayNormal, OfACapsuleThatIsGrazedIsTheSurfaces) {
+  RandomSource source(5);
+  int hits = 0;
+  for (int n = 0; n < 20000; ++n) {
+    const Capsule capsule{std::pow(10.0, source.uniform(-7, 0)), 1};
+    const double angle = source.uniform(0, 6.3), along = n % 3 == 0 ? 1 : source.uniform(-1, 1);
+    const Vector3d out(std::cos(angle), std::sin(angle), 0);
+    const Vector3d way = n % 4 == 0
+                             ? Vector3d(0, 0, 1)
+                             : Vector3d(-out.y(), out.x(), n % 4 == 1 ? 0 : source.uniform(-1, 1));
+    const Pose pose = tests::random_pose(0.1, source);
+    const Vector3d target = out * capsule.radius + Vector3d(0, 0, along);
+    const auto hit = cast_ray({capsule, pose}, {pose * (target - 4 * way), pose.linear() * way});
+    if (!hit) continue;
+    ++hits;
+    const Vector3d own = pose.inverse() * hit->point;
+    const Vector3d from_axis = own - Vector3d(0, 0, std::clamp(own.z(), -1.0, 1.0));
+    const Vector3d surfaces = pose.linear() * from_axis.normalized();
+    ASSERT_LT((hit->normal - surfaces).norm(), 1e-3) << n << " radius " << capsule.radius;
+    ASSERT_LE(hit->normal.dot(pose.linear() * way), 1e-15) << n;
+  }
+  EXPECT_GT(hits, 5000);
+}
+
 TEST(ConvexRayNormal, OfAFlatEllipsoidIsAgainstTheRay) {
   RandomSource source(4);
   for (int n = 0; n < 1000; ++n) {
