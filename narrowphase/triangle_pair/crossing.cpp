@@ -32,14 +32,5 @@ Decision decide(const Triangle& triangle_a, const Triangle& triangle_b, Touch to
   return {crosses_exactly(triangle_a, triangle_b), Stage::Exact};
 }
 
-Decision decide_unsure(const Triangle& triangle_a, const Triangle& triangle_b, Touch touch) {
-  check_touch(touch);
-  const Verdict verdict = compare_coordinates(triangle_a, triangle_b);
-  if (verdict == Verdict::Apart) return {false, Stage::Triage};
-  if (touch == Touch::Exclude) return {crosses_exactly(triangle_a, triangle_b), Stage::Exact};
-  if (verdict == Verdict::Touching) return {true, Stage::Triage};
-  return {intersects_exactly(triangle_a, triangle_b), Stage::Exact};
-}
-
 }  // namespace narrowphase
 }  // namespace graze

@@ -57,9 +57,9 @@ class LeafBatch {
     const Block* columns;
     const std::uint32_t* row_proxies;
     const std::uint32_t* column_proxies;
-    std::uint32_t near;      ///< the columns that reach the other block
-    std::int32_t triangle;   ///< all bits set; for one block with itself the top bit alone, so that
-                             ///< each pair is met once
+    std::uint32_t near;       ///< the columns that reach the other block
+    std::int32_t upper_half;  ///< all bits set; for one block with itself the top bit alone, so
+                              ///< that each pair is met once, in a column above its row
     const LowBlock* low[2];  ///< of the rows, and of the columns
   };
 
@@ -102,9 +102,9 @@ class LeafBatch {
       const Meeting& meeting = meetings_[*row / kLanes];
       const std::uint32_t lane = *row & (kLanes - 1);
       const NearLanes found = near_and_unsure(*meeting.columns, BroadcastBox(*meeting.rows, lane));
-      // Of a triangle only the columns above the row's own: bits lane + 1 and up.
+      // Of one block with itself only the columns above the row's own: bits lane + 1 and up.
       const std::uint32_t wanted =
-          meeting.near & static_cast<std::uint32_t>(meeting.triangle >> (30 - lane));
+          meeting.near & static_cast<std::uint32_t>(meeting.upper_half >> (30 - lane));
       std::uint32_t hits = found.near & wanted;
       const std::uint32_t unsure = found.unsure & wanted;
       if (HWY_UNLIKELY(unsure != 0)) {

@@ -101,7 +101,7 @@ class FrontOutlook {
     float lasts;         ///< how long the gaps of the other lanes last
   };
 
-  /// Stores the planes that were found for these lanes, with their gaps in the pose of reference.
+  /// Stores the planes that were found for these lanes, with their gaps in the pose at begin().
   template <std::size_t lanes>
   HWY_INLINE Nearness keep(Planes<lanes>& planes, const FoundPlanes<lanes>& found,
                            std::uint32_t asked, float limit) const {
@@ -143,9 +143,9 @@ class FrontOutlook {
   struct Spending {
     using Values = hn::Vec<AnyTag>;
 
-    Values back[3];
-    Values all;
-    Values least;
+    Values back[3];  ///< how far the middle of the query box goes
+    Values all;      ///< what turns and rounding cost along any direction
+    Values least;    ///< what the deviation from the predicted motion costs
 
     HWY_INLINE Values lasts(Values gap, const Values (&normal)[3]) const {
       auto spent = hn::MulAdd(normal[0], back[0], all);

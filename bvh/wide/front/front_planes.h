@@ -18,7 +18,7 @@
 // query box around c, |b - c| <= r, were g or more beyond some points of the tested node along n,
 // |n| <= 1, they are now beyond these by at least
 //   g + n . ((S - R) c + (v - t)) - r |S - R|.
-// With a pose O, o of reference, u = (R - O) c + (t - o) and u' = (S - O) c + (v - o) that is g + n
+// With the pose O, o at begin(), u = (R - O) c + (t - o) and u' = (S - O) c + (v - o) that is g + n
 // . (u' - u) - r |S - R|, and |S - R| is no more than what the turns of all steps between add up
 // to.
 
@@ -58,7 +58,7 @@ inline constexpr float kRoundPlanes = 1 - 0x1p-20f;
 /// A number rounded to float and multiplied by this is no larger than it was before.
 inline constexpr float kRoundDown = 1 - 0x1p-22f;
 
-/// How far the middle of a query box has come since the pose of reference.
+/// How far the middle of a query box has come since begin().
 inline void set_step(float (&step)[3], const FrontQuery& query,
                      const QueryDisplacement& displacement) {
   for (int i = 0; i < 3; ++i) {
@@ -88,7 +88,7 @@ enum class FrontBounds { Meeting, Distance };
 
 /// What keeps pairs out: lane by lane a direction in the tested node's frame, no longer than 1 but
 /// for rounding, which kRoundPlanes covers, and how far beyond the tested node a query box is
-/// along it. Gaps are those of the reference pose, but for what turning may have cost; infinite in
+/// along it. Gaps are those of the pose at begin(), but for what turning may have cost; infinite in
 /// lanes that need no plane. Nothing is kept out at first.
 template <std::size_t lanes, FrontBounds bounds>
 struct FrontPlanes;

@@ -3,7 +3,7 @@
 //
 // When a gap was proved, three times the slack of that query was taken off it. A later query has a
 // slack of its own: two placed primitives may be nearer by twice that than the trees' frames say
-// (engine/mesh/memory/pair_memory.cpp). It is taken off as well, and what was taken off before is
+// (engine/mesh/memory/pair_cache.cpp). It is taken off as well, and what was taken off before is
 // not counted on to cover it.
 
 #undef HWY_TARGET_INCLUDE
@@ -135,7 +135,7 @@ class FrontUpdater : private FrontLeaves<bounds> {
     state_.counts.box_rejections += tested - static_cast<std::uint32_t>(std::popcount(near));
     visit.open |= near;
     state_.visit_budgets[index] = budget_after(kept.lasts);
-    const FrontQuery placed = planes.query;
+    const FrontQuery query_ball = planes.query;
     if (held() > most_held_) look_ahead_ = must_;
     for (; near != 0; near &= near - 1) {
       const auto lane = static_cast<std::uint32_t>(std::countr_zero(near));
@@ -143,7 +143,7 @@ class FrontUpdater : private FrontLeaves<bounds> {
       const WidePairWalk::Waiting pair = tested_side == 0 ? WidePairWalk::Waiting{child, query}
                                                           : WidePairWalk::Waiting{query, child};
       if (ChildLink::is_leaf(query_link) && ChildLink::is_leaf(node.child[lane])) {
-        add_leaves(pair, tested_side, placed);
+        add_leaves(pair, tested_side, query_ball);
       } else {
         add_visit(pair);
       }
@@ -173,12 +173,12 @@ class FrontUpdater : private FrontLeaves<bounds> {
   }
 
   HWY_INLINE void add_leaves(const WidePairWalk::Waiting& pair, int tested_side,
-                             const FrontQuery& placed) {
+                             const FrontQuery& query_ball) {
     const WideChildRef& tested = tested_side == 0 ? pair.a : pair.b;
     const WideChildRef& query = tested_side == 0 ? pair.b : pair.a;
     state_.leaves.push_back(
         {leaf_at(tested_side, tested), leaf_at(1 - tested_side, query), tested_side, 0});
-    planes_.of_leaves.emplace_back().query = placed;
+    planes_.of_leaves.emplace_back().query = query_ball;
     state_.leaves_budgets.push_back(kAtOnce);
   }
 

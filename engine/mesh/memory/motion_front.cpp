@@ -11,7 +11,7 @@ namespace {
 constexpr double kMostDue = 0.7;
 constexpr double kMostLookedAt = 0.35;
 constexpr std::size_t kMostCandidates = 250;  // whose distances are asked for in one pass
-constexpr int kLongestPause = 64;             // queries
+constexpr int kLongestRest = 64;              // queries
 
 /// Of the edges of the smaller mesh's box, added up. What goes so far in one query has to have done
 /// so before, or no front is begun for it.
@@ -67,15 +67,15 @@ void MotionFront::move(const bvh::WideFront::MotionBound& step, int queries) {
   if (!(motion_.distance < bvh::WideFront::kFarthest)) is_live_ = false;
 }
 
-void MotionFront::pause() {
+void MotionFront::give_up() {
   is_live_ = false;
-  pause_ = next_pause_;
-  next_pause_ = std::min(4 * next_pause_, kLongestPause);
+  rest_ = next_rest_;
+  next_rest_ = std::min(4 * next_rest_, kLongestRest);
 }
 
 bool MotionFront::rests() {
-  if (is_live_ || pause_ == 0) return false;
-  --pause_;
+  if (is_live_ || rest_ == 0) return false;
+  --rest_;
   return true;
 }
 
@@ -100,9 +100,8 @@ void MotionFront::steer(const bvh::RelativeFrame (&now)[2]) {
     distance_predicted_ += since_last_.distance;
     if (front_.spent() - spent_at_prediction_ > kFastestSpending * distance_predicted_) {
       front_.drop_prediction();
-      next_unpredicted_ = passes_predicted_ >= kEnoughPredicted
-                              ? 1
-                              : std::min(2 * next_unpredicted_, kLongestPause);
+      next_unpredicted_ =
+          passes_predicted_ >= kEnoughPredicted ? 1 : std::min(2 * next_unpredicted_, kLongestRest);
       passes_unpredicted_ = next_unpredicted_ - 1;
     }
   }
@@ -136,10 +135,10 @@ std::optional<bvh::WideFront::Pass> MotionFront::pass(const bvh::WideTree& tree_
     const bool is_worth_it = !is_jump_ || front_.share_due(pass, limit) <= kMostDue;
     if (is_worth_it && !has_many_candidates(pass, limit)) {
       const bool is_kept = bounds_ == bvh::WideFront::Bounds::Distance || worth_.is_sure();
-      if (passes_ >= kEnoughPasses && is_kept) next_pause_ = 1;
+      if (passes_ >= kEnoughPasses && is_kept) next_rest_ = 1;
       return pass;
     }
-    pause();
+    give_up();
     return std::nullopt;
   }
   const double smaller = std::min(sum_of_edges(tree_a.box(), b_in_a.units_a),
@@ -179,7 +178,7 @@ void MotionFront::learn(const bvh::WideFront::Pass& pass, double cost) {
       static_cast<double>(front_.size()) > kMostGrowth * static_cast<double>(first_size_))
     is_live_ = false;
   worth_.learn(of_each);
-  if (is_live_ && !worth_.is_given()) pause();
+  if (is_live_ && !worth_.is_given()) give_up();
 }
 
 void MotionFront::advance(const bvh::WideFront::Pass& pass, double limit, Work& work) {
@@ -190,16 +189,16 @@ void MotionFront::advance(const bvh::WideFront::Pass& pass, double limit, Work& 
   const bvh::WideFront::Counts counts = front_.take_counts();
   if (passes_++ == 0) {
     first_size_ = front_.size();
-    if (front_.share_due(pass, limit + step_) > kMostDue) pause();
+    if (front_.share_due(pass, limit + step_) > kMostDue) give_up();
   } else if (bounds_ == bvh::WideFront::Bounds::Meeting) {
     learn(pass, FrontWorth::cost_of_pass(counts, front_.unsure_count()));
   } else if (static_cast<double>(front_.looked_at()) >
              kMostLookedAt * queries_ * static_cast<double>(size_before)) {
-    pause();
+    give_up();
   }
   if (front_.size() > kLargest) {
     is_live_ = false;
-    pause_ = kLongestPause;
+    rest_ = kLongestRest;
   }
   work.volume_tests += counts.walk.box_tests;
   work.volume_rejections += counts.walk.box_rejections;

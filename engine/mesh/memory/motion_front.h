@@ -49,7 +49,8 @@ class MotionFront {
   /// Whether a query for a distance would compute so many distances that a walk, which sees fewer
   /// where many are nearly equal, costs less.
   bool has_many_candidates(const bvh::WideFront::Pass& pass, double limit);
-  void pause();
+  /// Gives the front up, and lets it rest.
+  void give_up();
 
   /// How far ahead this update is to look for later queries.
   bvh::WideFront::Foresight foresight() const;
@@ -66,8 +67,8 @@ class MotionFront {
   bvh::WideFront::MotionBound motion_;  ///< since the front was begun
   int passes_ = 0;                      ///< updates since the front was begun
   std::size_t first_size_ = 0;          ///< of the front, after the first update
-  int pause_ = 0;                       ///< queries until a front may be begun
-  int next_pause_ = 1;
+  int rest_ = 0;                        ///< queries until a front may be begun
+  int next_rest_ = 1;
   FrontWorth worth_;
   LookAhead look_ahead_;
   double step_ = 0;  ///< how far B moved in each of the last queries, at most, on average
