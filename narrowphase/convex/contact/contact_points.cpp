@@ -3,6 +3,7 @@
 #include <graze/narrowphase/convex/contact/meeting_points.h>
 
 #include <algorithm>
+#include <cmath>
 #include <initializer_list>
 #include <limits>
 #include <optional>
