@@ -3,6 +3,7 @@
 #include <graze/narrowphase/convex/contact/meeting_points.h>
 
 #include <algorithm>
+#include <cmath>
 #include <initializer_list>
 #include <limits>
 #include <optional>
@@ -129,7 +130,9 @@ void add_clipped(const FaceOf& incident, const FaceOf& reference, const Penetrat
   const Vec3 out = penetration.normal * sign;
   const ClippedFace clipped = clip(incident.face, sides, out, tolerance.coinciding);
   const double facing = dot(sides.normal, out);
-  const bool has_sharp_corners = clipped.count > 0 && is_sharp(sides);
+  const CoreKind kind = reference.core.kind;
+  const bool has_sharp_corners =
+      (kind == CoreKind::Points || kind == CoreKind::Triangle) && is_sharp(sides);
   for (int i = 0; i < clipped.count; ++i) {
     const ClippedFace::Corner& corner = clipped.corner[i];
     ContactPoint contact;
