@@ -39,10 +39,10 @@ struct MeshCast {
 /// triangle is along the displacement; at t = 0 that of A's triangle, of B's if it has no area, and
 /// zero where nothing has a direction. Surfaces only: a mesh inside another one does not meet it.
 ///
-/// O(log n) for compact meshes that are apart at t = 0, else what find_triangle_pairs() takes. The
-/// first cast of a mesh fits k-DOPs to its tree, 72 bytes a node; once these stand, a cast
-/// allocates nothing. Throws InputError for a displacement that is not finite, PoseError as
-/// intersects() does, and where coordinates are so large that sums of them could overflow.
+/// O(log n) for compact meshes that are apart at t = 0, else what find_triangle_pairs() takes; once
+/// the trees that this uses, too, are built (prepare()), a cast allocates nothing. Throws
+/// InputError for a displacement that is not finite, PoseError as intersects() does, and where
+/// coordinates are so large that sums of them could overflow.
 std::optional<MeshCast> cast(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b,
                              const Eigen::Vector3d& displacement, const CastSettings& settings = {},
                              Work* work = nullptr);

@@ -8,7 +8,7 @@ namespace graze {
 /// Which queries are to find nothing left to build.
 enum class PreparedFor {
   Pairs,  ///< those on two meshes, with or without a PairMemory, by PairVolume::WideObb
-  All,    ///< these, and those that walk the binary tree: rays, casts, boxes and balls, points
+  All,    ///< these, and those that walk the binary tree: rays, casts of boxes and balls, points
           ///< inside, voxels, a mesh with itself, the contacts of bodies
 };
 

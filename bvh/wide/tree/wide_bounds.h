@@ -66,6 +66,11 @@
 // products, of 1.74 m, with m the treelet's largest coordinate; with the last two sums less than
 // 14 u (|o| + m) as well.
 //
+// Casts. B moves along e in the frame of A, where axes across e are off by 16 u' in each component,
+// u' = 2^-53: while two points meet, it has gone no further than they were apart, below 1.8 tau + 7
+// in common units, tau as in relative_frame.cpp, and comes by less than 128 u' (tau + 16) along
+// such an axis. That is what the slack begins with, and once more of it is added.
+//
 // Planes. Let delta be the error of a difference, slack included, and L what no component of any
 // difference exceeds. Any vector n will do to look along, the normal n = e x f as computed, too:
 // if n . (q - p) is above both n . e and n . f, q is apart from the primitive of corner p and edges

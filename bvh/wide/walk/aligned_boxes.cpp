@@ -8,7 +8,17 @@
 namespace graze::bvh {
 namespace {
 
-/// Axes at right angles, the first along a direction; false if that is too short or long to be one.
+void round(AlignedTransform& transform, double unit, double slack) {
+  for (int k = 0; k < 3; ++k) {
+    for (int i = 0; i < 3; ++i)
+      transform.rows[k][i] = static_cast<float>(transform.axes[k][i]);
+  }
+  transform.unit = static_cast<float>(unit);
+  transform.slack = rounded_up(slack + kWideUnderflow);
+}
+
+}  // namespace
+
 bool set_axes(double (&axes)[3][3], const double (&direction)[3]) {
   const double square = dot(direction, direction);
   if (!(square > 0.5 && square < 2)) return false;
@@ -29,21 +39,8 @@ bool set_axes(double (&axes)[3][3], const double (&direction)[3]) {
   return true;
 }
 
-void round(AlignedTransform& transform, double unit, double slack) {
-  for (int k = 0; k < 3; ++k) {
-    for (int i = 0; i < 3; ++i)
-      transform.rows[k][i] = static_cast<float>(transform.axes[k][i]);
-  }
-  transform.unit = static_cast<float>(unit);
-  transform.slack = rounded_up(slack + kWideUnderflow);
-}
-
-}  // namespace
-
-bool align_along(AlignedTransform (&transforms)[2], const RelativeFrame& b_in_a,
-                 const double (&direction)[3], const double (&point)[3]) {
-  double axes[3][3];
-  if (!set_axes(axes, direction)) return false;
+void align_to(AlignedTransform (&transforms)[2], const RelativeFrame& b_in_a,
+              const double (&axes)[3][3], const double (&point)[3]) {
   AlignedTransform& a = transforms[0];
   AlignedTransform& b = transforms[1];
   for (int k = 0; k < 3; ++k) {
@@ -61,6 +58,13 @@ bool align_along(AlignedTransform (&transforms)[2], const RelativeFrame& b_in_a,
   }
   round(a, b_in_a.units_a, 0);
   round(b, b_in_a.units_b, 3 * b_in_a.slack);
+}
+
+bool align_along(AlignedTransform (&transforms)[2], const RelativeFrame& b_in_a,
+                 const double (&direction)[3], const double (&point)[3]) {
+  double axes[3][3];
+  if (!set_axes(axes, direction)) return false;
+  align_to(transforms, b_in_a, axes, point);
   return true;
 }
 

@@ -19,6 +19,13 @@ struct AlignedTransform {
   float slack;  ///< of the query, in the transform of one tree only, and room for underflow
 };
 
+/// Axes at right angles, the first along a direction; false if that is too short or long to be one.
+bool set_axes(double (&axes)[3][3], const double (&direction)[3]);
+
+/// Both trees along axes of length 1, seen from a point, which are in the frame of A.
+void align_to(AlignedTransform (&transforms)[2], const RelativeFrame& b_in_a,
+              const double (&axes)[3][3], const double (&point)[3]);
+
 /// Both trees along axes of which the first is this direction, seen from a point near what is
 /// looked for: floats tell most apart there. Both are in the frame of A, the point in common units.
 /// False for a direction that is none.
@@ -29,6 +36,12 @@ bool align_along(AlignedTransform (&transforms)[2], const RelativeFrame& b_in_a,
 struct alignas(32) AlignedNode {
   float low[3][WideNode::kWidth];
   float high[3][WideNode::kWidth];
+};
+
+/// The primitives of a leaf along such axes, each by itself.
+struct alignas(32) AlignedLeaf {
+  float low[3][ChildLink::kMaxLeafSize];
+  float high[3][ChildLink::kMaxLeafSize];
 };
 
 /// Nodes that were aligned: a walk meets the same few again and again. One that has no room left is

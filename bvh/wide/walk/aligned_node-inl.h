@@ -128,13 +128,10 @@ HWY_INLINE AlignedInterval interval_of_leaf(const WideTree::Treelet& treelet, st
           (hn::GetLane(hn::MaxOfLanes(tag, most)) + origin) + margin};
 }
 
-/// Boxes of the children. Along the first axis, where it matters, as what they hold reaches: much
-/// of a box along a node's axes is empty.
-inline HWY_NOINLINE void set_aligned_node(AlignedNode& aligned, const WideTree& tree,
-                                          const WideChildRef& child,
-                                          const AlignedTransform& transform) {
+/// Boxes of the children.
+inline HWY_NOINLINE void set_aligned_boxes(AlignedNode& aligned, const WideNode& node,
+                                           const AlignedTransform& transform) {
   const Tag tag;
-  const WideNode& node = *child.node;
   const NodeAlong<3> along(node, transform);
   for (std::size_t part = 0; part < WideNode::kWidth; part += hn::Lanes(tag)) {
     AlignedLanes lanes[3];
@@ -144,6 +141,15 @@ inline HWY_NOINLINE void set_aligned_node(AlignedNode& aligned, const WideTree& 
       hn::Store(lanes[k].high, tag, aligned.high[k] + part);
     }
   }
+}
+
+/// Along the first axis, where it matters, as what they hold reaches: much of a box along a node's
+/// axes is empty.
+inline HWY_NOINLINE void set_aligned_node(AlignedNode& aligned, const WideTree& tree,
+                                          const WideChildRef& child,
+                                          const AlignedTransform& transform) {
+  const WideNode& node = *child.node;
+  set_aligned_boxes(aligned, node, transform);
   const WideTree::Treelet& treelet = tree.treelet(child.treelet);
   const auto origin = static_cast<float>(aligned_at(transform, 0, treelet.origin));
   for (std::uint32_t lane = 0; lane < node.count; ++lane) {

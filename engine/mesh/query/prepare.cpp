@@ -18,7 +18,7 @@ void prepare(const Mesh& mesh, const PrepareSettings& settings, Work* work) {
     if (settings.queries == PreparedFor::All) {
       tree_of(mesh, work);
       rays_of(mesh, work);
-      kdop_skin_of(mesh, work);  // for casts
+      kdop_skin_of(mesh, work);  // for casts of boxes and balls
     }
   });
 }

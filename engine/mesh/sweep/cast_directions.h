@@ -3,8 +3,7 @@
 #include <graze/bvh/skins/float_volumes.h>
 #include <graze/bvh/skins/kdop_separation.h>
 #include <graze/bvh/sphere.h>
-#include <graze/engine/mesh/sweep/framed_mesh.h>
-#include <graze/engine/mesh/sweep/sweep.h>
+#include <graze/engine/mesh/sweep/cast_planes.h>
 #include <graze/narrowphase/lanes/two_lanes.h>
 
 #include <algorithm>
@@ -13,13 +12,14 @@
 
 namespace graze::contacts {
 
-/// Bounds from below how far B goes along d until it meets A, by six vectors for all boxes and
-/// triangles: four across d, which tell whether things are in each other's way at all, d itself and
-/// the normal of the best contact so far, around which both surfaces are thin. What something is
-/// along them is found once; to compare two takes a dozen operations, two vectors at a time.
+/// Bounds from below how far a box or a ball, B, goes along d until it meets a mesh, A, by six
+/// vectors for all nodes and triangles: four across d, which tell whether things are in each
+/// other's way at all, d itself and the normal of the best contact so far, around which both
+/// surfaces are thin. What something is along them is found once; to compare two takes a dozen
+/// operations, two vectors at a time.
 class CastDirections {
  public:
-  enum class Side { A, B };
+  using Side = CastPlanes::Side;
   static constexpr int kPairs = 3;
 
   /// Which pairs of vectors: all, or the one with the normal, which alone take_normal() changes.
@@ -32,20 +32,8 @@ class CastDirections {
     narrowphase::TwoLanes high[kPairs];
   };
 
-  /// What one vector tells of the motion.
-  struct Limit {
-    double sense;       ///< the vector is taken times this: 1, -1, or 0 if it says nothing
-    double between;     ///< n . (the centre of A - the centre of B)
-    double margin;      ///< what rounding may cost, on either side
-    double least_high;  ///< two spans whose difference ends below it never meet
-    double most_low;    ///< two spans whose difference begins above it never meet
-    double down;        ///< what `low` is multiplied by to bound s from below
-  };
-
-  /// Of a direction whose largest component is from 1/2 to 1 in size, or of none.
-  CastDirections(const FramedMesh& a, const FramedMesh& b, const SweepUnits& units,
-                 const double (&direction)[3]);
-  /// Of a mesh and a box in the frame of the mesh.
+  /// Of a mesh and a box in the frame of the mesh, and a direction whose largest component is from
+  /// 1/2 to 1 in size, or none.
   CastDirections(const FramedMesh& a, const Aabb& b, const SweepUnits& units,
                  const double (&direction)[3]);
 
@@ -53,8 +41,8 @@ class CastDirections {
   CastDirections(const FramedMesh& a, const Sphere& b, const SweepUnits& units,
                  const double (&direction)[3]);
 
-  /// What a k-DOP, points or a triangle of one mesh are along these vectors.
-  void measure_kdop(Side side, const bvh::FloatKDop& kdop, Pairs pairs, Span& span) const;
+  /// What a k-DOP of A's tree, points or a triangle are along these vectors.
+  void measure_kdop(const bvh::FloatKDop& kdop, Pairs pairs, Span& span) const;
   void measure_points(Side side, std::span<const Eigen::Vector3d* const> points, Pairs pairs,
                       Span& span) const;
   void measure_triangle(Side side, const Triangle& placed, Pairs pairs, Span& span) const {
@@ -80,17 +68,6 @@ class CastDirections {
   /// infinite if there is none, or none up to `limit`.
   double first_contact(const Span& a, const Span& b, double limit) const;
 
-  /// A vector for one triangle alone: its normal, along which it is flat.
-  struct Plane {
-    double n[3];  ///< times `limit.sense`
-    double low;   ///< of n . (its corners - the centre of its mesh's tree)
-    double high;
-    Limit limit;
-  };
-  Plane plane_of(Side side, const Triangle& placed) const;
-  /// As of two spans: of the triangle with this plane and one of the other mesh.
-  double first_contact(Side side, const Plane& plane, const Triangle& other, double limit) const;
-
   /// Takes another normal, in metres or whatever; of spans that were made before, the pair with the
   /// normal serves no more. False, and nothing happens, if it is nearly the one that there is.
   bool take_normal(const double (&normal)[3]);
@@ -98,17 +75,6 @@ class CastDirections {
  private:
   using TwoLanes = narrowphase::TwoLanes;
 
-  /// A tree's frame, placed, in the units of the sweep.
-  struct Frame {
-    Frame(const FramedMesh& mesh, const SweepUnits& units);
-    Frame(const Aabb& box, const SweepUnits& units);
-    Frame(const Sphere& ball, const SweepUnits& units);
-
-    double centre[3];
-    double axis[3][3];
-    double unit;
-    double margin;
-  };
   /// What two vectors make of three coordinates.
   struct Rows {
     narrowphase::TwoLanes x[kPairs];
@@ -128,9 +94,7 @@ class CastDirections {
     TwoLanes high[kPairs];
   };
 
-  const Frame& frame(Side side) const { return side == Side::A ? a_ : b_; }
-  CastDirections(const Frame& a, const Frame& b, const SweepUnits& units,
-                 const double (&direction)[3]);
+  CastDirections(const CastPlanes& planes, const double (&direction)[3]);
   void shift(Side side, Pairs pairs, Span& span) const {
     if (side == Side::B) return;
     for (int i = first_of(pairs); i < kPairs; ++i) {
@@ -139,19 +103,12 @@ class CastDirections {
     }
   }
   static int first_of(Pairs pairs) { return pairs == Pairs::All ? 0 : kPairs - 1; }
-  Limit limit_of(const double (&n)[3]) const;
-  void measure_along(Side side, const double (&n)[3], const Triangle& placed, double& low,
-                     double& high) const;
   void set(int at, const double (&n)[3]);
 
-  double per_metre_;
-  Frame a_;
-  Frame b_;
-  double direction_[3];
+  CastPlanes planes_;
   double normal_[3] = {0, 0, 0};
-  Rows vectors_;               ///< of coordinates in the units of the sweep
-  Slabs slabs_a_[2 * kPairs];  ///< of local coordinates of A's tree
-  Slabs slabs_b_[2 * kPairs];
+  Rows vectors_;             ///< of coordinates in the units of the sweep
+  Slabs slabs_[2 * kPairs];  ///< of local coordinates of A's tree
   Shifts shifts_;
   TwoLanes down_;  ///< what the low ends of the last pair are multiplied by to bound s from below
 };

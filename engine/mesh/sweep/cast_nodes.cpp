@@ -9,7 +9,7 @@ const CastNodes::Span& CastNodes::measured(std::uint32_t node) {
   Span& span = span_[at];
   const bvh::Node& of_tree = tree_.nodes[node];
   if (!of_tree.is_leaf()) {
-    directions_.measure_kdop(side_, kdops_[node], pairs, span);
+    directions_.measure_kdop(kdops_[node], pairs, span);
     return span;
   }
   const Leaf& of_leaf = leaf(node);
@@ -19,7 +19,7 @@ const CastNodes::Span& CastNodes::measured(std::uint32_t node) {
   return span;
 }
 
-CastNodes::Leaf& CastNodes::leaf(std::uint32_t node) {
+const CastNodes::Leaf& CastNodes::leaf(std::uint32_t node) {
   const std::uint32_t at = node % kLeaves;
   const bool is_kept = leaf_at_[at] == node;
   if (is_kept && leaf_normal_[at] == normal_) return leaf_[at];
@@ -28,21 +28,11 @@ CastNodes::Leaf& CastNodes::leaf(std::uint32_t node) {
   leaf_normal_[at] = normal_;
   const bvh::Node& of_tree = tree_.nodes[node];
   Leaf& leaf = leaf_[at];
-  if (!is_kept) leaf.has_plane = 0;
   for (std::uint32_t i = 0; i < of_tree.count; ++i) {
     if (!is_kept) leaf.triangle[i] = mesh_.triangle(tree_.primitives[of_tree.first + i]);
-    directions_.measure_triangle(side_, leaf.triangle[i], pairs, leaf.span[i]);
+    directions_.measure_triangle(CastDirections::Side::A, leaf.triangle[i], pairs, leaf.span[i]);
   }
   return leaf;
-}
-
-const CastDirections::Plane& CastNodes::plane(Leaf& leaf, std::uint32_t triangle) const {
-  const std::uint32_t bit = 1u << triangle;
-  if ((leaf.has_plane & bit) == 0) {
-    leaf.plane[triangle] = directions_.plane_of(side_, leaf.triangle[triangle]);
-    leaf.has_plane |= bit;
-  }
-  return leaf.plane[triangle];
 }
 
 }  // namespace graze::contacts

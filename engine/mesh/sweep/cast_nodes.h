@@ -11,26 +11,22 @@
 
 namespace graze::contacts {
 
-/// What the nodes and triangles of one tree are along the directions of a cast. What was asked last
-/// is kept, without any allocation: a walk meets the same node some ten times.
+/// What the nodes and triangles of a mesh are along the directions of a cast. What was asked last
+/// is kept, without any allocation: what only the normal changes is found anew alone.
 class CastNodes {
  public:
   using Span = CastDirections::Span;
-  using Side = CastDirections::Side;
   using Pairs = CastDirections::Pairs;
 
-  /// The triangles of a leaf, placed, and the planes of those that had to be asked for.
+  /// The triangles of a leaf, placed.
   struct Leaf {
     std::array<Triangle, 4> triangle;
     std::array<Span, 4> span;
-    std::array<CastDirections::Plane, 4> plane;
-    std::uint32_t has_plane;  ///< a bit for each
   };
 
-  CastNodes(Side side, const FramedMesh& mesh, const bvh::Tree& tree,
-            const CastDirections& directions, Work& work)
-      : side_(side),
-        mesh_(mesh),
+  CastNodes(const FramedMesh& mesh, const bvh::Tree& tree, const CastDirections& directions,
+            Work& work)
+      : mesh_(mesh),
         tree_(tree),
         kdops_(kdop_skin_of(mesh.placed.mesh, &work)),
         directions_(directions) {
@@ -46,9 +42,7 @@ class CastNodes {
     return kept.node == node && kept.normal == normal_ ? span_[at] : measured(node);
   }
   /// Of a leaf; until the next call.
-  Leaf& leaf(std::uint32_t node);
-  /// Of a triangle of that leaf.
-  const CastDirections::Plane& plane(Leaf& leaf, std::uint32_t triangle) const;
+  const Leaf& leaf(std::uint32_t node);
 
   /// To be called when the directions have taken another normal.
   void take_normal() { ++normal_; }
@@ -64,7 +58,6 @@ class CastNodes {
   };
   const Span& measured(std::uint32_t node);
 
-  Side side_;
   FramedMesh mesh_;
   const bvh::Tree& tree_;
   std::span<const bvh::FloatKDop> kdops_;

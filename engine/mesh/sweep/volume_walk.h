@@ -40,7 +40,7 @@ class VolumeWalk {
         mover_(mover),
         work_(work),
         limit_(way.at(mover.limit())),
-        nodes_(contacts::CastDirections::Side::A, mesh, tree_, directions, work) {}
+        nodes_(mesh, tree_, directions, work) {}
 
   void run() {
     bvh::traverse_nearest(tree_, *this, [&](const bvh::Node& leaf) {
