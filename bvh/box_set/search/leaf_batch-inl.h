@@ -60,7 +60,7 @@ class LeafBatch {
     std::uint32_t near;       ///< the columns that reach the other block
     std::int32_t upper_half;  ///< all bits set; for one block with itself the top bit alone, so
                               ///< that each pair is met once, in a column above its row
-    const LowBlock* low[2];  ///< of the rows, and of the columns
+    const LowBlock* low[2];   ///< of the rows, and of the columns
   };
 
   HWY_INLINE const Block& high(int side, std::uint32_t block) const {
