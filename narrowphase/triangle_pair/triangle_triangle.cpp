@@ -1,4 +1,5 @@
 #include <graze/bvh/floating_point/standard_arithmetic.h>
+#include <graze/narrowphase/crossing.h>
 #include <graze/narrowphase/predicates/coordinates.h>
 #include <graze/narrowphase/predicates/fixed_point.h>
 #include <graze/narrowphase/predicates/predicates.h>
