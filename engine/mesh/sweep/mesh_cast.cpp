@@ -47,19 +47,19 @@ class CastWalk {
         limit_(way.at(earliest.limit())),
         planes_({{query.a}, units}, {{query.b}, units}, units, way.direction) {
     const Eigen::Vector3d direction = Eigen::Map<const Eigen::Vector3d>(way.direction);
-    per_unit_ =
-        direction.norm() * (units.metres / query.tree_a.frame().unit()) * query.b_in_a.units_a;
+    const double common = std::max(query.tree_a.frame().unit(), query.tree_b.frame().unit());
+    per_unit_ = direction.norm() * (units.metres / common);
     set_in_a(direction, direction_);
   }
 
   void run() {
     bvh::WideCastWalk walk(query_.tree_a, query_.tree_b, query_.b_in_a, direction_);
     bvh::CastPlaces found[bvh::WideCastWalk::kMostAtOnce];
-    while (const std::size_t count = walk.next(found, limit_ * per_unit_)) {
+    while (const std::size_t count = walk.next(found, walk_limit())) {
       std::sort(found, found + count,
                 [](const auto& one, const auto& other) { return one.bound < other.bound; });
       bool is_sooner = false;
-      for (std::size_t i = 0; i < count && found[i].bound <= limit_ * per_unit_; ++i)
+      for (std::size_t i = 0; i < count && !(found[i].bound > walk_limit()); ++i)
         is_sooner |= ask(found[i]);
       if (is_sooner) turn(walk);
     }
@@ -71,6 +71,12 @@ class CastWalk {
   static constexpr double kNever = std::numeric_limits<double>::infinity();
   static constexpr std::uint32_t kNone = 0xffffffffu;
   static constexpr std::uint32_t kKept = 32;
+
+  /// What the walk's bounds are compared with: where no double can say it, all is near.
+  double walk_limit() const {
+    const double limit = limit_ * per_unit_;
+    return limit >= 0 ? limit : kNever;
+  }
 
   /// In the frame of A's tree, of length 1.
   void set_in_a(const Eigen::Vector3d& direction, double (&in_a)[3]) const {

@@ -9,9 +9,8 @@ namespace graze {
 
 /// Which indices are in use, and by which generation. A freed index rests for two rounds before it
 /// is given out again, so that no list of the last round can name two different things by it; a
-/// round is from one update to the next. An
-/// index whose generations are used up, half as many as the type has or are allowed, is not given
-/// out again.
+/// round is from one update to the next. An index whose generations are used up, half as many as
+/// the type has or are allowed, is not given out again.
 template <typename Generation>
 class IdTable {
  public:

@@ -176,10 +176,6 @@ void add_single(const Core& a, const Core& b, const Parting& parting,
       {met.on_a, met.on_b, penetration.normal, penetration.depth, kPointFeature, kPointFeature});
 }
 
-}  // namespace
-
-namespace {
-
 /// Planes through the edges of a triangle without any area, but for rounding, bound nothing.
 bool has_no_area(const Core& triangle) {
   constexpr double kNoArea = 0x1p-48;

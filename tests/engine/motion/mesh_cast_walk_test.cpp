@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "tests/narrowphase/simd_targets.h"
@@ -152,6 +153,28 @@ TEST_F(CastWalk, ComesFromAnywhere) {
     met += cast(q.a, q.b, q.displacement).has_value();
   }
   EXPECT_GT(met, 4);
+}
+
+// One so large and one so small that their sizes have no quotient; either goes.
+TEST_F(CastWalk, HugeMeetsTiny) {
+  int met = 0;
+  for (int n = 0; n < 24; ++n) {
+    WalkQuestion q = question(12);
+    q.a.mesh = scaled(q.a.mesh, 0x1p600);
+    q.a.pose.translation() *= 0x1p600;
+    q.b.mesh = scaled(q.b.mesh, 0x1p-600);
+    q.displacement *= 0x1p600;
+    const Triangle target = place(q.a.pose, q.a.mesh.triangle(1));
+    q.b.pose.translation() =
+        0.3 * target.a + 0.3 * target.b + 0.4 * target.c - 0.5 * q.displacement;
+    if (n % 2 == 1) {
+      std::swap(q.a, q.b);
+      q.displacement = -q.displacement;
+    }
+    expect_earliest(q, targets_, n);
+    met += cast(q.a, q.b, q.displacement).has_value();
+  }
+  EXPECT_GT(met, 16);
 }
 
 }  // namespace
