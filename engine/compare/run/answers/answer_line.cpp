@@ -100,7 +100,12 @@ std::string json_of_row(std::string_view row, const std::vector<std::string>& co
     if (cells[i].empty()) continue;
     const std::optional<std::string> value = json_of_cell(column, cells[i]);
     if (!value) {
-      throw CaseError(place + ": " + mesh_io::quoted(cells[i]) + " is no " + column);
+      std::string message = place;
+      message += ": ";
+      message += mesh_io::quoted(cells[i]);
+      message += " is no ";
+      message += column;
+      throw CaseError(message);
     }
     std::string& list = is_of_answer ? answer : others;
     list += (list.empty() ? "\"" : ",\"") + column + "\":" + *value;
