@@ -13,6 +13,7 @@
 #include "tests/engine/special_poses/special_pairs.h"
 #include "tests/engine/world/random_shapes.h"
 #include "tests/engine/world/surface_distance.h"
+#include "tests/shapes/random_meshes.h"
 #include "tests/shapes/shape_kinds.h"
 
 namespace graze {
