@@ -13,14 +13,6 @@ namespace graze {
 Eigen::Vector3d place(const Pose& pose, const Eigen::Vector3d& point);
 Triangle place(const Pose& pose, const Triangle& triangle);
 
-namespace narrowphase {
-
-/// The same for those who place much, and do all of it in bvh::in_standard_arithmetic().
-Eigen::Vector3d place(const Pose& pose, const Eigen::Vector3d& point);
-Triangle place(const Pose& pose, const Triangle& triangle);
-
-}  // namespace narrowphase
-
 /// The largest absolute value that each coordinate of a placed point of the box, and every
 /// intermediate result of place() on the way to it, can have; infinite if it could overflow.
 std::array<double, 3> largest_coordinates(const Pose& pose, const Aabb& bounds);

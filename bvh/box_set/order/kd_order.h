@@ -1,6 +1,6 @@
 #pragma once
 
-#include <graze/bvh/box_set/store/ordered_box.h>
+#include <graze/bvh/box_set/store/block.h>
 
 #include <algorithm>
 #include <cstdint>

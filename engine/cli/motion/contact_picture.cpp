@@ -20,7 +20,7 @@ std::vector<std::uint32_t> triangles_near(const PlacedMeshView& placed,
   const std::size_t count = placed.mesh.triangles().size();
   std::vector<double> away(count);
   for (std::size_t i = 0; i < count; ++i) {
-    const Triangle t = narrowphase::place(placed.pose, placed.mesh.triangle(i));
+    const Triangle t = place(placed.pose, placed.mesh.triangle(i));
     away[i] = ((t.a - point) + (t.b - point) + (t.c - point)).squaredNorm();
   }
   std::vector<std::uint32_t> order(count);

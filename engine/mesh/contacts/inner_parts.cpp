@@ -3,7 +3,7 @@
 #include <graze/engine/mesh/curves/vertex_numbers.h>
 #include <graze/engine/mesh/data/mesh_trees.h>
 #include <graze/engine/mesh/data/vertex_fans.h>
-#include <graze/engine/mesh/placement.h>
+#include <graze/narrowphase/triangle_pair/placed_triangle.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include <graze/engine/mesh/curves/placed_corners.h>
-#include <graze/engine/mesh/placement.h>
 #include <graze/narrowphase/triangle_pair/adjacent_triangles.h>
+#include <graze/narrowphase/triangle_pair/placed_triangle.h>
 
 #include <algorithm>
 #include <numeric>

@@ -14,6 +14,7 @@
 #include <graze/engine/mesh/data/mesh_rays.h>
 #include <graze/engine/mesh/placement.h>
 #include <graze/engine/work.h>
+#include <graze/narrowphase/triangle_pair/placed_triangle.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>

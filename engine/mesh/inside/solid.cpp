@@ -1,7 +1,7 @@
 #include <graze/bvh/error.h>
 #include <graze/engine/mesh/inside/parity.h>
 #include <graze/engine/mesh/inside/solid.h>
-#include <graze/engine/mesh/placement.h>
+#include <graze/narrowphase/triangle_pair/placed_triangle.h>
 
 #include <algorithm>
 #include <span>

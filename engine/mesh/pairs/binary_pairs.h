@@ -10,6 +10,7 @@
 #include <graze/engine/mesh/placing/relative_frame.h>
 #include <graze/engine/mesh/query/candidates.h>
 #include <graze/engine/mesh/query/node_volumes.h>
+#include <graze/narrowphase/triangle_pair/placed_triangle.h>
 
 namespace graze {
 

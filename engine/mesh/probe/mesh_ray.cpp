@@ -6,8 +6,8 @@
 #include <graze/engine/mesh/data/mesh_data.h>
 #include <graze/engine/mesh/data/mesh_rays.h>
 #include <graze/engine/mesh/mesh_ray.h>
-#include <graze/engine/mesh/placement.h>
 #include <graze/narrowphase/ray/ray_stages.h>
+#include <graze/narrowphase/triangle_pair/placed_triangle.h>
 
 #include <algorithm>
 #include <limits>

@@ -8,6 +8,7 @@
 #include <graze/engine/mesh/placing/relative_frame.h>
 #include <graze/engine/mesh/query/candidates.h>
 #include <graze/engine/mesh/query/wide_counts.h>
+#include <graze/narrowphase/triangle_pair/placed_triangle.h>
 #include <hwy/cache_control.h>
 
 namespace graze {

@@ -2,10 +2,10 @@
 
 #include <graze/bvh/error.h>
 #include <graze/bvh/floating_point/standard_arithmetic.h>
-#include <graze/engine/mesh/placement.h>
 #include <graze/engine/mesh/rigid/motion_checks.h>
 #include <graze/engine/mesh/rigid/sine_cosine.h>
 #include <graze/engine/mesh/rigid_motion.h>
+#include <graze/narrowphase/triangle_pair/placed_triangle.h>
 
 #include <cmath>
 #include <string>

@@ -10,10 +10,10 @@
 // radius, of 2^-51.
 
 #include <graze/engine/mesh/data/mesh_trees.h>
-#include <graze/engine/mesh/placement.h>
 #include <graze/engine/mesh/placing/placement_check.h>
 #include <graze/engine/mesh/rigid/motion_checks.h>
 #include <graze/engine/mesh/rigid/moving_body.h>
+#include <graze/narrowphase/triangle_pair/placed_triangle.h>
 
 #include <algorithm>
 #include <cmath>

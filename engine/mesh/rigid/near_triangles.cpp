@@ -1,6 +1,6 @@
-#include <graze/engine/mesh/placement.h>
 #include <graze/engine/mesh/rigid/near_triangles.h>
 #include <graze/narrowphase/derived/distance_stages.h>
+#include <graze/narrowphase/triangle_pair/placed_triangle.h>
 
 #include <cmath>
 

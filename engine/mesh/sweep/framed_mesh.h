@@ -1,8 +1,8 @@
 #pragma once
 
 #include <graze/engine/mesh/placed_mesh.h>
-#include <graze/engine/mesh/placement.h>
 #include <graze/narrowphase/triangle_box.h>
+#include <graze/narrowphase/triangle_pair/placed_triangle.h>
 
 namespace graze::contacts {
 

@@ -1,9 +1,9 @@
 #include <graze/bvh/error.h>
 #include <graze/engine/mesh/data/mesh_trees.h>
-#include <graze/engine/mesh/placement.h>
 #include <graze/engine/mesh/sweep/last_contact.h>
 #include <graze/engine/mesh/sweep/swept_nodes.h>
 #include <graze/engine/mesh/sweep/swept_triangles.h>
+#include <graze/narrowphase/triangle_pair/placed_triangle.h>
 
 #include <algorithm>
 #include <cmath>

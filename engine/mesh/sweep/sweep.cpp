@@ -1,6 +1,7 @@
 #include <graze/bvh/error.h>
 #include <graze/engine/mesh/placement.h>
 #include <graze/engine/mesh/sweep/sweep.h>
+#include <graze/narrowphase/triangle_pair/placed_triangle.h>
 
 #include <algorithm>
 #include <array>

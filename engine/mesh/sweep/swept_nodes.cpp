@@ -9,8 +9,8 @@
 
 #include <graze/bvh/value/dot.h>
 #include <graze/engine/mesh/data/mesh_trees.h>
-#include <graze/engine/mesh/placement.h>
 #include <graze/engine/mesh/sweep/swept_nodes.h>
+#include <graze/narrowphase/triangle_pair/placed_triangle.h>
 
 #include <algorithm>
 #include <cmath>

@@ -11,6 +11,7 @@
 #include <graze/narrowphase/translation/displacement.h>
 #include <graze/narrowphase/triangle_box.h>
 #include <graze/narrowphase/triangle_intersection.h>
+#include <graze/narrowphase/triangle_pair/placed_triangle.h>
 
 #include <array>
 #include <cmath>

@@ -7,6 +7,7 @@
 #include <graze/engine/mesh/query/threads.h>
 #include <graze/engine/mesh/voxel/voxel_descent.h>
 #include <graze/engine/mesh/voxels.h>
+#include <graze/narrowphase/triangle_pair/placed_triangle.h>
 #include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/global_control.h>

@@ -24,7 +24,7 @@ class Around {
       Vector3d point;
       for (int i = 0; i < 3; ++i)
         point[i] = (corner >> i & 1u) != 0 ? box.max[i] : box.min[i];
-      add(narrowphase::place(pose, point));
+      add(place(pose, point));
     }
   }
 

@@ -1,6 +1,5 @@
 #include <graze/engine/mesh/data/mesh_patch.h>
 #include <graze/engine/mesh/mesh_contacts.h>
-#include <graze/engine/mesh/placement.h>
 #include <graze/engine/mesh/volume_query.h>
 #include <graze/engine/world/contacts/contact_functions.h>
 #include <graze/engine/world/contacts/triangle_candidates.h>
@@ -8,6 +7,7 @@
 #include <graze/engine/world/shapes/pair_functions.h>
 #include <graze/engine/world/shapes/placed_core.h>
 #include <graze/narrowphase/triangle_box.h>
+#include <graze/narrowphase/triangle_pair/placed_triangle.h>
 #include <graze/narrowphase/volumes/triangle_sphere.h>
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 #include <graze/bvh/value/ray_slabs.h>
-#include <graze/engine/mesh/placement.h>
 #include <graze/engine/world/fields/field_data.h>
 #include <graze/engine/world/fields/field_ray.h>
 #include <graze/narrowphase/ray/ray_stages.h>
+#include <graze/narrowphase/triangle_pair/placed_triangle.h>
 
 #include <algorithm>
 #include <array>

@@ -1,9 +1,9 @@
 #include <graze/bvh/traverse/traverse_nearest.h>
-#include <graze/engine/mesh/placement.h>
 #include <graze/engine/world/rigid/mesh_approach.h>
 #include <graze/engine/world/rigid/tree_sweep.h>
 #include <graze/engine/world/shapes/placed_core.h>
 #include <graze/narrowphase/triangle.h>
+#include <graze/narrowphase/triangle_pair/placed_triangle.h>
 
 #include <algorithm>
 #include <cmath>

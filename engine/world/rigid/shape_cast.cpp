@@ -2,7 +2,6 @@
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/bvh/traverse/traverse_nearest.h>
 #include <graze/engine/mesh/mesh_cast.h>
-#include <graze/engine/mesh/placement.h>
 #include <graze/engine/mesh/query/query_results.h>
 #include <graze/engine/mesh/volume_cast.h>
 #include <graze/engine/world/manifold.h>
@@ -16,6 +15,7 @@
 #include <graze/engine/world/shapes/pair_input.h>
 #include <graze/engine/world/shapes/placed_core.h>
 #include <graze/narrowphase/translation/displacement.h>
+#include <graze/narrowphase/triangle_pair/placed_triangle.h>
 
 #include <algorithm>
 #include <cmath>

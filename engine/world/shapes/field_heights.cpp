@@ -1,5 +1,5 @@
-#include <graze/engine/mesh/placement.h>
 #include <graze/engine/world/shapes/field_heights.h>
+#include <graze/narrowphase/triangle_pair/placed_triangle.h>
 
 #include <algorithm>
 #include <cmath>

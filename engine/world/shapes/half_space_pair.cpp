@@ -1,11 +1,11 @@
 #include <graze/bvh/error.h>
 #include <graze/engine/mesh/data/mesh_patch.h>
-#include <graze/engine/mesh/placement.h>
 #include <graze/engine/world/fields/field_data.h>
 #include <graze/engine/world/shape_pairs.h>
 #include <graze/engine/world/shapes/field_heights.h>
 #include <graze/engine/world/shapes/half_space_pair.h>
 #include <graze/engine/world/shapes/mesh_heights.h>
+#include <graze/narrowphase/triangle_pair/placed_triangle.h>
 
 #include <algorithm>
 #include <cmath>

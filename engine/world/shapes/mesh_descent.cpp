@@ -1,7 +1,7 @@
 #include <graze/engine/mesh/data/mesh_trees.h>
-#include <graze/engine/mesh/placement.h>
 #include <graze/engine/world/shapes/mesh_descent.h>
 #include <graze/engine/world/shapes/placed_core.h>
+#include <graze/narrowphase/triangle_pair/placed_triangle.h>
 
 #include <algorithm>
 #include <cmath>

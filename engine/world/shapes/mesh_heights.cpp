@@ -3,6 +3,7 @@
 #include <graze/engine/mesh/data/mesh_trees.h>
 #include <graze/engine/mesh/placement.h>
 #include <graze/engine/world/shapes/mesh_heights.h>
+#include <graze/narrowphase/triangle_pair/placed_triangle.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
-#include <graze/engine/mesh/placement.h>
 #include <graze/engine/world/shapes/hull_data.h>
 #include <graze/engine/world/shapes/placed_core.h>
 #include <graze/narrowphase/convex/core/hull.h>
+#include <graze/narrowphase/triangle_pair/placed_triangle.h>
 
 #include <cmath>
 

@@ -12,6 +12,7 @@
 #include <graze/engine/world/shapes/pair_functions.h>
 #include <graze/engine/world/shapes/placed_core.h>
 #include <graze/narrowphase/triangle_box.h>
+#include <graze/narrowphase/triangle_pair/placed_triangle.h>
 #include <graze/narrowphase/volumes/sphere_box.h>
 #include <graze/narrowphase/volumes/sphere_overlap.h>
 

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include <graze/engine/mesh/placement.h>
+#include <graze/narrowphase/triangle_pair/placed_triangle.h>
 #include <graze/narrowphase/triangle_triangle.h>
 
 #include "tests/engine/floating_point/environments.h"

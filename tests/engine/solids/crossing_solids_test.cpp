@@ -3,8 +3,8 @@
 
 #include <gmpxx.h>
 #include <graze/engine/mesh/pair.h>
-#include <graze/engine/mesh/placement.h>
 #include <graze/engine/mesh/self.h>
+#include <graze/narrowphase/triangle_pair/placed_triangle.h>
 #include <gtest/gtest.h>
 
 #include <cstdint>

@@ -1,7 +1,6 @@
 #include <graze/bvh/error.h>
 #include <graze/engine/mesh/containment.h>
 #include <graze/engine/mesh/data/orientation.h>
-#include <graze/engine/mesh/placement.h>
 #include <graze/engine/mesh/volume_query.h>
 #include <graze/engine/world/contacts/local_parting.h>
 #include <graze/engine/world/contacts/sides/enclosure.h>
@@ -10,6 +9,7 @@
 #include <graze/engine/world/shapes/mesh_descent.h>
 #include <graze/engine/world/shapes/pair_input.h>
 #include <graze/engine/world/shapes/placed_core.h>
+#include <graze/narrowphase/triangle_pair/placed_triangle.h>
 
 #include <algorithm>
 #include <cmath>
