@@ -110,7 +110,11 @@ std::pair<RoundedTriple, RoundedTriple> rounded_triples(Step p, Step q, Step r, 
 }
 
 double triple_bound(double largest_of_p, Step q, double largest_of_r) {
-  const double size = largest_of_p * Vector(q).size();
+  return triple_bound(largest_of_p, Vector(q).size(), largest_of_r);
+}
+
+double triple_bound(double largest_of_p, double largest_of_q, double largest_of_r) {
+  const double size = largest_of_p * largest_of_q;
   if (!is_in_range(size) || !is_in_range(largest_of_r))
     return std::numeric_limits<double>::infinity();
   return kTripleBound * (size * largest_of_r);

@@ -38,6 +38,7 @@ std::pair<RoundedTriple, RoundedTriple> rounded_triples(Step p, Step q, Step r, 
 /// What such a product is off by at most if no component of p and r is larger than that; infinite
 /// where nothing is known.
 double triple_bound(double largest_of_p, Step q, double largest_of_r);
+double triple_bound(double largest_of_p, double largest_of_q, double largest_of_r);
 
 /// The sign of (p x q) . (r x s).
 std::optional<Sign> crosses_filter(Step p, Step q, Step r, Step s);

@@ -1,9 +1,7 @@
 #include <graze/engine/mesh/data/mesh_data.h>
 
 namespace graze {
-namespace {
 
-/// By counting: where each vertex's triangles end, and then filled from there backwards.
 VertexFans fans_of(std::span<const TriangleIndices> triangles,
                    std::span<const std::uint32_t> welded) {
   VertexFans fans;
@@ -13,6 +11,7 @@ VertexFans fans_of(std::span<const TriangleIndices> triangles,
     for (std::uint32_t vertex : triangle)
       ++fans.first[welded[vertex]];
   }
+  // Where each vertex's triangles end; then filled from there backwards.
   std::uint32_t end = 0;
   for (std::uint32_t& first : fans.first)
     first = end += first;
@@ -22,8 +21,6 @@ VertexFans fans_of(std::span<const TriangleIndices> triangles,
   }
   return fans;
 }
-
-}  // namespace
 
 const VertexFans& vertex_fans_of(const Mesh& mesh) {
   const auto& data = MeshAccess::data(mesh);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <graze/engine/mesh/mesh.h>
+
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -16,5 +18,9 @@ struct VertexFans {
     return {triangles.data() + first[vertex], first[vertex + 1] - first[vertex]};
   }
 };
+
+/// By counting, in linear time.
+VertexFans fans_of(std::span<const TriangleIndices> triangles,
+                   std::span<const std::uint32_t> welded);
 
 }  // namespace graze

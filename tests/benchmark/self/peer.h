@@ -14,6 +14,9 @@ class SelfPeer {
 
   /// How many pairs of triangles it finds. All that is made for that is made anew each time.
   virtual std::size_t count_pairs() = 0;
+
+  /// Whether there is any. Likewise.
+  virtual bool is_any() = 0;
 };
 
 #ifdef GRAZE_HAS_CGAL

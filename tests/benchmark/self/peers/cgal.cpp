@@ -1,5 +1,5 @@
-// CGAL's self_intersections(): box_self_intersection_d() on the boxes of all faces, neighbours told
-// by halfedges, the rest by its kernel of exact predicates.
+// CGAL's self_intersections() and does_self_intersect(): box_self_intersection_d() on the boxes of
+// all faces, neighbours told by halfedges, the rest by its kernel of exact predicates.
 
 #define GRAZE_HAS_CGAL
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -27,6 +27,10 @@ class Cgal : public SelfPeer {
     CGAL::Polygon_mesh_processing::self_intersections<CGAL::Sequential_tag>(
         surface_, std::back_inserter(pairs));
     return pairs.size();
+  }
+
+  bool is_any() override {
+    return CGAL::Polygon_mesh_processing::does_self_intersect<CGAL::Sequential_tag>(surface_);
   }
 
  private:
