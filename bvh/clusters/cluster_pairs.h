@@ -6,11 +6,11 @@
 
 namespace graze::bvh {
 
-/// Of lane i of one cluster, byte i: the bits of the lanes of another whose boxes overlap its own,
-/// and of these, those that share a label with it.
+/// Bit 8 i + j of each speaks of lane i of one cluster and lane j of another: whether their boxes
+/// overlap, and whether they share a label besides.
 struct ClusterPairs {
-  std::uint8_t overlapping[Cluster::kWidth];
-  std::uint8_t sharing[Cluster::kWidth];
+  std::uint64_t overlapping = 0;
+  std::uint64_t sharing = 0;
 };
 
 /// Two clusters in one frame. Exact, and the same on every SIMD target.

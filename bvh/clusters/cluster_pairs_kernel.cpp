@@ -19,7 +19,7 @@ using ClusterTag = hn::CappedTag<float, Cluster::kWidth>;
 using LabelTag = hn::RebindToUnsigned<ClusterTag>;
 
 template <typename Tag, typename Mask>
-HWY_INLINE std::uint32_t cluster_bits(Tag tag, Mask mask) {
+HWY_INLINE std::uint64_t cluster_bits(Tag tag, Mask mask) {
   std::uint8_t bits[8] = {};
   hn::StoreMaskBits(tag, mask, bits);
   return bits[0];
@@ -49,16 +49,15 @@ HWY_INLINE auto sharing_lanes(const Cluster& a, std::uint32_t i, const Cluster& 
 }
 
 ClusterPairs pairs_of(const Cluster& a, const Cluster& b) {
-  ClusterPairs pairs = {};
+  ClusterPairs pairs;
   for (std::uint32_t i = 0; i < a.count; ++i) {
-    std::uint32_t overlapping = 0, sharing = 0;
     for (std::size_t first = 0; first < Cluster::kWidth; first += hn::Lanes(ClusterTag())) {
-      overlapping |= cluster_bits(ClusterTag(), overlapping_lanes(a, i, b, first)) << first;
-      sharing |= cluster_bits(LabelTag(), sharing_lanes(a, i, b, first)) << first;
+      const std::size_t bit = Cluster::kWidth * i + first;
+      pairs.overlapping |= cluster_bits(ClusterTag(), overlapping_lanes(a, i, b, first)) << bit;
+      pairs.sharing |= cluster_bits(LabelTag(), sharing_lanes(a, i, b, first)) << bit;
     }
-    pairs.overlapping[i] = static_cast<std::uint8_t>(overlapping);
-    pairs.sharing[i] = static_cast<std::uint8_t>(overlapping & sharing);
   }
+  pairs.sharing &= pairs.overlapping;
   return pairs;
 }
 
@@ -71,17 +70,26 @@ namespace graze::bvh {
 
 HWY_EXPORT(pairs_of);
 
+namespace {
+
+/// Of each lane those behind it.
+constexpr std::uint64_t kBehind = [] {
+  std::uint64_t bits = 0;
+  for (std::uint32_t i = 0; i < Cluster::kWidth; ++i)
+    bits |= std::uint64_t{0xfeu << i & 0xffu} << (Cluster::kWidth * i);
+  return bits;
+}();
+
+}  // namespace
+
 ClusterPairs pairs_of(const Cluster& a, const Cluster& b) {
   return HWY_DYNAMIC_DISPATCH(pairs_of)(a, b);
 }
 
 ClusterPairs pairs_within(const Cluster& cluster) {
   ClusterPairs pairs = pairs_of(cluster, cluster);
-  for (std::uint32_t i = 0; i < Cluster::kWidth; ++i) {
-    const auto behind = static_cast<std::uint8_t>(0xfeu << i);
-    pairs.overlapping[i] &= behind;
-    pairs.sharing[i] &= behind;
-  }
+  pairs.overlapping &= kBehind;
+  pairs.sharing &= kBehind;
   return pairs;
 }
 

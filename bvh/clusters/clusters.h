@@ -41,9 +41,9 @@ void set_lane(Cluster& cluster, std::uint32_t lane, std::uint32_t primitive, con
 
 void make_empty(Cluster& cluster);
 
-/// Cuts a tree whose leaves hold no more than a cluster does. `box_of(primitive)` says a
-/// primitive's box in the tree's frame, `set_labels(primitive, labels)` its three labels. Linear
-/// time.
+/// Cuts a tree whose leaves hold no more than a cluster does. `box_of(place)` says the box in the
+/// tree's frame of the primitive at a place in the order of the leaves, `set_labels(place, labels)`
+/// its three labels. Linear time.
 template <typename BoxOf, typename SetLabels>
 Clusters clusters_of(const Tree& tree, BoxOf&& box_of, SetLabels&& set_labels) {
   Clusters clusters;
@@ -51,10 +51,9 @@ Clusters clusters_of(const Tree& tree, BoxOf&& box_of, SetLabels&& set_labels) {
   clusters.all.reserve(cluster_count(tree, clusters.of_node));
   const auto add_leaf = [&](Cluster& cluster, const Node& leaf) {
     for (std::uint32_t i = leaf.first; i < leaf.first + leaf.count; ++i) {
-      const std::uint32_t primitive = tree.primitives[i];
       std::uint32_t labels[3];
-      set_labels(primitive, labels);
-      set_lane(cluster, cluster.count++, primitive, leaf.count == 1 ? leaf.box : box_of(primitive),
+      set_labels(i, labels);
+      set_lane(cluster, cluster.count++, tree.primitives[i], leaf.count == 1 ? leaf.box : box_of(i),
                labels);
     }
   };
@@ -72,7 +71,7 @@ Clusters clusters_of(const Tree& tree, BoxOf&& box_of, SetLabels&& set_labels) {
     of_node = static_cast<std::uint32_t>(clusters.all.size());
     Cluster& cluster = clusters.all.emplace_back();
     make_empty(cluster);
-    below = {index};
+    below.push_back(index);
     while (!below.empty()) {
       const Node& node = tree.nodes[below.back()];
       below.pop_back();

@@ -23,8 +23,9 @@
 namespace graze::narrowphase {
 namespace {
 
-/// Any direction will do. The mean of the normals does for nearly all; where triangles of one side
-/// are many it is turned towards those that it does not see from their front, as a perceptron is.
+/// Any direction will do. The sum of the normals does for nearly all; where triangles of one side
+/// are many or large, their mean is turned towards those that it does not see from their front, as
+/// a perceptron is.
 constexpr int kMostDirections = 6;
 
 struct Arrow {
@@ -60,44 +61,57 @@ class SeenFan {
     }
     sectors_ = rays_ - 1;
     for (std::size_t i = 0; i < sectors_; ++i)
-      set_sector(i, ray_[i], ray_[i + 1]);
-    if (fan.kind == VertexFan::Kind::Closed) set_sector(sectors_++, ray_[rays_ - 1], ray_[0]);
+      normal_[i] = cross_of(ray_[i], ray_[i + 1]);
+    if (fan.kind == VertexFan::Kind::Closed)
+      normal_[sectors_++] = cross_of(ray_[rays_ - 1], ray_[0]);
   }
 
   bool is_surely_simple() {
+    Arrow direction{0, 0, 0};
     for (std::size_t i = 0; i < sectors_; ++i)
-      add(direction_, weight_[i], normal_[i]);
+      add(direction, 1, normal_[i]);
+    set_direction(direction);
+    if (turn_alike()) return is_within_one_turn();
+    make_units();
     for (int n = 0; n < kMostDirections; ++n) {
-      set_bound();
       if (turn_alike()) return is_within_one_turn();
+      turn_to_backs();
     }
     return false;
   }
 
  private:
-  void set_sector(std::size_t i, const Arrow& from, const Arrow& to) {
-    normal_[i] = cross_of(from, to);
-    weight_[i] = 1 / std::sqrt(dot_of(normal_[i], normal_[i]));
-  }
-
-  /// Of all products of the direction and two rays, in whatever order.
-  void set_bound() {
-    const double size = size_of(direction_);
+  /// And the bound of all products of it and two rays, in whatever order.
+  void set_direction(const Arrow& direction) {
+    direction_ = direction;
+    const double size = size_of(direction);
     bound_ =
         std::max(triple_bound(largest_, largest_, size), triple_bound(size, largest_, largest_));
   }
 
-  /// If not, the next direction is set.
-  bool turn_alike() {
-    Arrow next = direction_;
+  bool turn_alike() const {
     bool are_positive = true;
-    for (std::size_t i = 0; i < sectors_; ++i) {
-      if (dot_of(normal_[i], direction_) > bound_) continue;
-      are_positive = false;
-      add(next, weight_[i], normal_[i]);
-    }
-    direction_ = next;
+    for (std::size_t i = 0; i < sectors_; ++i)
+      are_positive &= dot_of(normal_[i], direction_) > bound_;
     return are_positive;
+  }
+
+  /// The mean of unit normals is the next direction.
+  void make_units() {
+    Arrow direction{0, 0, 0};
+    for (std::size_t i = 0; i < sectors_; ++i) {
+      weight_[i] = 1 / std::sqrt(dot_of(normal_[i], normal_[i]));
+      add(direction, weight_[i], normal_[i]);
+    }
+    set_direction(direction);
+  }
+
+  void turn_to_backs() {
+    Arrow direction = direction_;
+    for (std::size_t i = 0; i < sectors_; ++i) {
+      if (!(dot_of(normal_[i], direction_) > bound_)) add(direction, weight_[i], normal_[i]);
+    }
+    set_direction(direction);
   }
 
   bool is_within_one_turn() const {

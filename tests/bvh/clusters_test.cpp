@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <set>
 #include <utility>
 #include <vector>
@@ -38,8 +40,10 @@ struct Labelled {
 
   Clusters clusters() const {
     return clusters_of(
-        tree, [&](std::uint32_t i) { return local[i]; },
-        [&](std::uint32_t i, std::uint32_t(&own)[3]) { std::copy_n(labels[i].data(), 3, own); });
+        tree, [&](std::uint32_t place) { return local[tree.primitives[place]]; },
+        [&](std::uint32_t place, std::uint32_t(&own)[3]) {
+          std::copy_n(labels[tree.primitives[place]].data(), 3, own);
+        });
   }
 
   bool are_sharing(std::uint32_t i, std::uint32_t j) const {
@@ -91,11 +95,13 @@ TEST_P(ClustersOn, PairsAreBruteForceOnEverySimdTarget) {
   for (const std::int64_t target : narrowphase::simd_targets()) {
     narrowphase::force_simd_target(target);
     Pairs found_overlapping, found_sharing;
-    const auto add = [&](Pairs& pairs, std::uint32_t bits, std::uint32_t i, const Cluster& b) {
-      for (std::uint32_t j = 0; j < Cluster::kWidth; ++j) {
-        if ((bits >> j & 1) == 0) continue;
-        ASSERT_LT(j, b.count);
-        EXPECT_TRUE(pairs.insert(std::minmax(i, b.primitive[j])).second) << "each pair once";
+    const auto add = [](Pairs& pairs, std::uint64_t bits, const Cluster& a, const Cluster& b) {
+      for (; bits != 0; bits &= bits - 1) {
+        const int i = std::countr_zero(bits) / 8, j = std::countr_zero(bits) % 8;
+        ASSERT_LT(static_cast<std::uint32_t>(i), a.count);
+        ASSERT_LT(static_cast<std::uint32_t>(j), b.count);
+        EXPECT_TRUE(pairs.insert(std::minmax(a.primitive[i], b.primitive[j])).second)
+            << "each pair once";
       }
     };
     traverse_self(
@@ -105,10 +111,8 @@ TEST_P(ClustersOn, PairsAreBruteForceOnEverySimdTarget) {
           const Cluster& a = clusters.all[clusters.of_node[node_a]];
           const Cluster& b = clusters.all[clusters.of_node[node_b]];
           const ClusterPairs pairs = node_a == node_b ? pairs_within(a) : pairs_of(a, b);
-          for (std::uint32_t i = 0; i < Cluster::kWidth; ++i) {
-            add(found_overlapping, pairs.overlapping[i], a.primitive[i], b);
-            add(found_sharing, pairs.sharing[i], a.primitive[i], b);
-          }
+          add(found_overlapping, pairs.overlapping, a, b);
+          add(found_sharing, pairs.sharing, a, b);
           return Walk::Continue;
         });
     EXPECT_EQ(found_overlapping, overlapping) << target;

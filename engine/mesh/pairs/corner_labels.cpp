@@ -1,6 +1,7 @@
 #include <graze/engine/mesh/data/vertex_fans.h>
 #include <graze/engine/mesh/pairs/corner_labels.h>
 #include <graze/narrowphase/triangle_pair/vertex_fan.h>
+#include <hwy/cache_control.h>
 
 #include <limits>
 #include <span>
@@ -93,6 +94,7 @@ class SureVertices {
         fans_(fans_of(mesh.triangles(), mesh.welded())) {}
 
   bool is_sure(std::uint32_t vertex) {
+    fetch(fans_.first[vertex] + kFetched);
     const std::span<const std::uint32_t> around = fans_.around(vertex);
     if (around.empty() || !ring_.gather(vertex, around, corners_) || !ring_.sort()) return false;
     const Eigen::Vector3d* rays[VertexFan::kMostRays];
@@ -103,6 +105,14 @@ class SureVertices {
   }
 
  private:
+  /// How many triangles ahead: a few vertices, which takes as long as memory does.
+  static constexpr std::uint32_t kFetched = 32;
+
+  void fetch(std::uint32_t first) const {
+    for (std::uint32_t i = first; i < first + 6 && i < fans_.triangles.size(); ++i)
+      hwy::Prefetch(&corners_[fans_.triangles[i]]);
+  }
+
   std::span<const Eigen::Vector3d> vertices_;
   const std::vector<Corners>& corners_;
   VertexFans fans_;
