@@ -14,6 +14,7 @@
 
 #include <bit>
 #include <cmath>
+#include <limits>
 
 HWY_BEFORE_NAMESPACE();
 namespace graze::bvh::HWY_NAMESPACE {
@@ -176,8 +177,12 @@ HWY_INLINE void start_walk(const RayTree& tree, const RayToWalk& ray, RayWalkSta
   alignas(32) double origin[4];
   start_boxes(local, entry, state, origin);
   start_leaves(local, entry, origin, state);
-  state.limit = ray_limit(ray.limit, state.start);
-  state.sure_limit = sure_ray_limit(ray.limit, state.start);
+  if (ray.limit == std::numeric_limits<double>::infinity()) [[likely]] {
+    state.limit = state.sure_limit = static_cast<float>(kFarthest);
+  } else {
+    state.limit = ray_limit(ray.limit, state.start);
+    state.sure_limit = sure_ray_limit(ray.limit, state.start);
+  }
   state.open_count = 1;
 }
 

@@ -18,8 +18,12 @@ HWY_BEFORE_NAMESPACE();
 namespace graze::bvh::HWY_NAMESPACE {
 namespace {
 
+HWY_INLINE std::uint32_t first_lane(std::uint32_t bits) {
+  return static_cast<std::uint32_t>(std::countr_zero(bits));
+}
+
 HWY_INLINE std::uint32_t take_lane(std::uint32_t& bits) {
-  const auto lane = static_cast<std::uint32_t>(std::countr_zero(bits));
+  const std::uint32_t lane = first_lane(bits);
   bits &= bits - 1;
   return lane;
 }
@@ -74,9 +78,9 @@ HWY_INLINE Open open_children(std::uint32_t where, std::uint32_t lanes, const fl
 
 /// What of a leaf is not surely missed; how many. Lowers the limit to sure hits, and says whether
 /// there were any, unless all are wanted.
-HWY_INLINE std::size_t visit_leaf(const RayTree& tree, const RayNode& node, std::uint32_t lane_of,
+HWY_INLINE std::size_t visit_leaf(const RayTree& tree, const RayNode& node, std::uint32_t of_leaf,
                                   RayWalkState& state, RayCandidate* found, bool& is_surely_hit) {
-  const RayChild leaf = node.child[lane_of];
+  const RayChild leaf = node.child[of_leaf];
   const std::uint32_t* const primitives = tree.primitives + leaf.place();
   // A row of indices and its points are two misses, one after the other: the first begins before it
   // is known whose row counts.
@@ -87,7 +91,7 @@ HWY_INLINE std::size_t visit_leaf(const RayTree& tree, const RayNode& node, std:
   } else {
     hwy::Prefetch(primitives);
   }
-  const SeenLeaf seen(node, lane_of, state);
+  const SeenLeaf seen(node, of_leaf, state);
   alignas(32) float least[RayTree::kLeafSize], most[RayTree::kLeafSize];
   LeafAnswer answer = ask_leaf(tree.corners.get() + std::size_t{3} * leaf.place(), leaf.count(),
                                seen, state, least, most);
@@ -121,10 +125,11 @@ HWY_INLINE std::size_t walk(const RayTree& tree, RayWalkState& state, Open* end)
   std::uint32_t tested = 0, met = 0, primitives = 0;
   bool is_surely_hit = false;
   while (end != state.open && size + RayTree::kLeafSize <= found.size()) {
-    Open top = *--end;
+    const Open top = *--end;
     if (enter_of(top) > state.limit) continue;
     const RayNode* node = &tree.node(node_of(top));
-    RayChild child = node->child[lane_of(top)];
+    std::uint32_t lane = lane_of(top);
+    RayChild child = node->child[lane];
     std::uint32_t lanes = 1;
     while (!child.is_leaf()) {
       node = &tree.node(child.where());
@@ -133,13 +138,18 @@ HWY_INLINE std::size_t walk(const RayTree& tree, RayWalkState& state, Open* end)
       ++tested;
       if (lanes == 0) break;
       met += static_cast<std::uint32_t>(std::popcount(lanes));
-      if ((lanes & (lanes - 1)) != 0) fetch(tree, *node, lanes);
-      top = open_children(child.where(), lanes, enters, end);
-      child = node->child[lane_of(top)];
+      if ((lanes & (lanes - 1)) == 0) {
+        // The next node does not wait for where the ray enters the only one.
+        lane = first_lane(lanes);
+      } else {
+        fetch(tree, *node, lanes);
+        lane = lane_of(open_children(child.where(), lanes, enters, end));
+      }
+      child = node->child[lane];
     }
     if (lanes == 0) continue;
     primitives += child.count();
-    size += visit_leaf(tree, *node, lane_of(top), state, found.data() + size, is_surely_hit);
+    size += visit_leaf(tree, *node, lane, state, found.data() + size, is_surely_hit);
     if (is_surely_hit && state.aim == RayAim::Any) end = state.open;
   }
   state.counts = {RayNode::kWidth * tested, RayNode::kWidth * tested - met, primitives};

@@ -2,7 +2,6 @@
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/bvh/ray.h>
 
-#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -14,6 +13,7 @@ namespace {
 
 constexpr std::uint64_t kInfiniteBits = std::uint64_t{0x7ff} << 52;
 constexpr std::uint64_t kMinusZeroBits = std::uint64_t{1} << 63;
+constexpr std::uint64_t kExponentStep = std::uint64_t{1} << 52;
 
 /// Of |x|; in the order of sizes, not a number above infinity.
 std::uint64_t bits_of_size(double x) {
@@ -41,16 +41,17 @@ std::uint64_t bits_of_size(double x) {
 
 void check_ray(const Ray& ray, const char* what) {
   // By the bits, as whole numbers: every ray comes by here, and no control word matters to these.
-  std::uint64_t largest = 0, direction = 0;
+  // What is not finite has an exponent of ones alone: one step more comes to the sign's bit.
+  std::uint64_t one_step_more = 0, direction = 0;
   for (int k = 0; k < 3; ++k) {
     const std::uint64_t o = bits_of_size(ray.origin.data()[k]);
     const std::uint64_t d = bits_of_size(ray.direction.data()[k]);
-    largest = std::max(largest, std::max(o, d));
+    one_step_more |= (o + kExponentStep) | (d + kExponentStep);
     direction |= d;
   }
   const auto most = std::bit_cast<std::uint64_t>(ray.max_distance);
   const bool is_distance = most <= kInfiniteBits || most == kMinusZeroBits;
-  if (largest >= kInfiniteBits || direction == 0 || !is_distance)
+  if ((one_step_more & kMinusZeroBits) != 0 || direction == 0 || !is_distance)
     bvh::in_standard_arithmetic([&] { refuse(ray, what); });
 }
 

@@ -15,9 +15,14 @@ namespace graze::bvh {
 /// underflow are off by less than 2^-1074.
 struct ScaledDirection {
   double component[3];
-  int exponent;   ///< direction = component * 2^exponent
-  double length;  ///< of `component`: between 1 and 3.5, off by at most 2 u of itself
+  int exponent;  ///< direction = component * 2^exponent
 };
+
+/// Of its components: between 1 and 3.5, off by at most 2 u of itself.
+static inline double length_of(const ScaledDirection& scaled) {
+  const double* c = scaled.component;
+  return std::sqrt((c[0] * c[0] + c[1] * c[1]) + c[2] * c[2]);
+}
 
 static inline ScaledDirection scaled_direction(const double* direction) {
   const double largest =
@@ -33,9 +38,6 @@ static inline ScaledDirection scaled_direction(const double* direction) {
     for (int k = 0; k < 3; ++k)
       scaled.component[k] = std::scalbn(direction[k], -scaled.exponent);
   }
-  const double* c = scaled.component;
-  const double square = (c[0] * c[0] + c[1] * c[1]) + c[2] * c[2];
-  scaled.length = std::sqrt(square);
   return scaled;
 }
 

@@ -17,8 +17,8 @@ namespace graze::narrowphase::HWY_NAMESPACE {
 namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
-inline constexpr std::size_t kBlock = 8;  ///< elements whose verdicts are written at once
-using Tag = hn::CappedTag<double, kBlock>;
+inline constexpr std::size_t kAtOnce = 8;  ///< elements whose verdicts are written at once
+using Tag = hn::CappedTag<double, kAtOnce>;
 using Lanes = hn::Vec<Tag>;
 using Mask = hn::Mask<Tag>;
 
@@ -76,18 +76,18 @@ struct Many {
   }
 };
 
-/// Rows of one block each, one behind the other, aligned.
+/// Rows of kAtOnce elements each, one behind the other, aligned.
 struct Block {
   const double* values;
   HWY_INLINE Lanes load(std::size_t row, std::size_t first) const {
-    return hn::Load(Tag(), values + row * kBlock + first);
+    return hn::Load(Tag(), values + row * kAtOnce + first);
   }
 };
 
-/// The last elements, fewer than a block, with zeros behind them.
+/// The last elements, fewer than kAtOnce, with zeros behind them.
 template <std::size_t N>
 struct Rest {
-  double values[N][kBlock] = {};
+  double values[N][kAtOnce] = {};
   Rest(const Many<N>& many, std::size_t first, std::size_t count) {
     for (std::size_t r = 0; r < N; ++r) {
       for (std::size_t i = first; i < count; ++i)

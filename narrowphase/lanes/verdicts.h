@@ -6,7 +6,7 @@
 
 namespace graze::narrowphase {
 
-/// The verdict of two certificates, of which at most one holds. It has no branch, because a CPU
+/// The verdict of two proofs, of which at most one holds. It has no branch, because a CPU
 /// often cannot predict which of them does.
 constexpr Verdict verdict_of(bool is_apart, bool is_touching) {
   static_assert(static_cast<int>(Verdict::Apart) == 0 && static_cast<int>(Verdict::Touching) == 1 &&

@@ -41,7 +41,7 @@ Pass pass_of(const Triangle& t, const PreparedRay& ray, Stage& stage) {
 
 Eigen::Vector3d against(const PreparedRay& ray) {
   const double* d = ray.scaled.component;
-  const double length = -ray.scaled.length;
+  const double length = -bvh::length_of(ray.scaled);
   return {d[0] / length, d[1] / length, d[2] / length};
 }
 
@@ -52,7 +52,7 @@ Eigen::Vector3d turned(const double* normal, double turn) {
 
 std::optional<TriangleRayHit> hit_at(const RayPlace& place, const Eigen::Vector3d& normal,
                                      const PreparedRay& ray) {
-  const double distance = place.scale * ray.scaled.length;
+  const double distance = place.scale * bvh::length_of(ray.scaled);
   if (!(distance <= ray.ray.max_distance)) return std::nullopt;
   return TriangleRayHit{distance, place.point, normal};
 }

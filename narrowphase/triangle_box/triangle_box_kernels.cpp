@@ -141,7 +141,7 @@ template <typename Triangles, typename Boxes>
 HWY_INLINE Verdicts triage_block(const Triangles& triangles, const Boxes& boxes,
                                  std::size_t first) {
   Verdicts block;
-  for (std::size_t lane = 0; lane < kBlock; lane += hn::Lanes(Tag())) {
+  for (std::size_t lane = 0; lane < kAtOnce; lane += hn::Lanes(Tag())) {
     const std::size_t at = first + lane;
     const Verdicts some =
         triage_lanes({load(triangles, 0, at), load(triangles, 3, at), load(triangles, 6, at)},
@@ -156,7 +156,7 @@ template <typename Triangles, typename Boxes>
 HWY_INLINE void triage_rows(const Triangles& triangles, const Boxes& boxes, std::size_t count,
                             Verdicts* verdicts) {
   std::size_t first = 0;
-  for (; first + kBlock <= count; first += kBlock)
+  for (; first + kAtOnce <= count; first += kAtOnce)
     *verdicts++ = triage_block(triangles, boxes, first);
   if (first == count) return;
   const std::uint32_t used = (std::uint32_t{1} << (count - first)) - 1;

@@ -139,29 +139,29 @@ HWY_INLINE TriangleLanes load(const Rows& rows, std::size_t first) {
           {rows.load(6, first), rows.load(7, first), rows.load(8, first)}};
 }
 
-/// The verdicts of one block, which may be read whole.
+/// The verdicts of kAtOnce pairs, whose rows may be read whole.
 template <typename RowsA, typename RowsB>
-HWY_INLINE Verdicts triage_block(const RowsA& a, const RowsB& b, std::size_t first) {
-  Verdicts block;
-  for (std::size_t lane = 0; lane < kBlock; lane += hn::Lanes(Tag())) {
+HWY_INLINE Verdicts triage_at_once(const RowsA& a, const RowsB& b, std::size_t first) {
+  Verdicts found;
+  for (std::size_t lane = 0; lane < kAtOnce; lane += hn::Lanes(Tag())) {
     const Verdicts some = triage_lanes(load(a, first + lane), load(b, first + lane));
-    block.apart |= some.apart << lane;
-    block.touching |= some.touching << lane;
+    found.apart |= some.apart << lane;
+    found.touching |= some.touching << lane;
   }
-  return block;
+  return found;
 }
 
 template <typename RowsA>
 HWY_INLINE void triage_rows(const RowsA& a, const Many<9>& b, std::size_t count,
                             Verdicts* verdicts) {
   std::size_t first = 0;
-  for (; first + kBlock <= count; first += kBlock)
-    *verdicts++ = triage_block(a, b, first);
+  for (; first + kAtOnce <= count; first += kAtOnce)
+    *verdicts++ = triage_at_once(a, b, first);
   if (first == count) return;
   const std::uint32_t used = (std::uint32_t{1} << (count - first)) - 1;
-  const Verdicts block =
-      triage_block(rest_of(a, first, count), rest_of(b, first, count), std::size_t{0});
-  *verdicts = {block.apart & used, block.touching & used};
+  const Verdicts found =
+      triage_at_once(rest_of(a, first, count), rest_of(b, first, count), std::size_t{0});
+  *verdicts = {found.apart & used, found.touching & used};
 }
 
 void triage_one(const double* const* one, const double* const* many, std::size_t count,
@@ -178,8 +178,8 @@ Verdicts triage_batch(const TrianglePairBatch& batch) {
   const std::uint32_t used = (std::uint32_t{1} << batch.size()) - 1;
   const Block a{batch.row_a(0)};
   const Block b{batch.row_b(0)};
-  const Verdicts block = triage_block(a, b, 0);
-  return {block.apart & used, block.touching & used};
+  const Verdicts found = triage_at_once(a, b, 0);
+  return {found.apart & used, found.touching & used};
 }
 
 std::uint32_t find_apart(const TrianglePairBatch& batch) {

@@ -11,7 +11,7 @@ namespace graze::narrowphase {
 template <std::size_t N>
 class VolumeRows {
  public:
-  static constexpr std::size_t kBlock = 8;
+  static constexpr std::size_t kAtOnce = 8;
 
   std::size_t size() const { return size_; }
   const double* row(std::size_t r) const { return rows_[r].data(); }
@@ -33,7 +33,7 @@ class VolumeRows {
 
   /// If memory runs out the list is as before.
   void add(const std::array<double, N>& volume) {
-    const std::size_t padded = (size_ / kBlock + 1) * kBlock;
+    const std::size_t padded = (size_ / kAtOnce + 1) * kAtOnce;
     for (std::vector<double>& row : rows_)
       row.resize(padded);
     for (std::size_t r = 0; r < N; ++r)

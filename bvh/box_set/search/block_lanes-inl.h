@@ -102,8 +102,8 @@ struct NearLanes {
   std::uint32_t unsure;  ///< of these: high halves are equal, so that the low ones decide
 };
 
-/// As near_lanes() and sure_lanes(), by what the two have in common along each axis: along an axis
-/// on which high halves are equal that has no length.
+/// As near_lanes() and sure_lanes(), by the interval that the two have in common along each axis.
+/// Where its length is 0, high halves are equal, and the low ones decide.
 HWY_INLINE NearLanes near_and_unsure(const Block& block, const BroadcastBox& box) {
   const Tag tag;
   const hn::RebindToUnsigned<Tag> lengths;

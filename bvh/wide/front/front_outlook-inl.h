@@ -187,8 +187,8 @@ class FrontOutlook {
   float turn_;
   float error_;
   float deviation_;
-  float turning_;
-  float least_spent_;
+  float turning_;      ///< motion that a pair spends by turning, for each unit of its radius
+  float least_spent_;  ///< motion that every pair spends: what the prediction is off by
   bool is_predicted_;
 };
 

@@ -26,9 +26,9 @@
 // reach further along it by 3.3 (a T + b S) (S + T) together.
 //
 // The frame of a tested node is the common one turned by the transpose of a pose, whose determinant
-// is positive, so that placed primitives have the same signs there (law 5: delta has the slack,
-// which is how far the frame's corners are from placed ones). So what signs prove is proved of
-// these.
+// is positive: turning changes no sign. The frame's corners are not exactly the placed ones, but d
+// includes law 5's slack, which bounds how far apart the two are. So the signs hold for the placed
+// primitives.
 
 #if defined(GRAZE_BVH_LEAF_CROSSINGS) == defined(HWY_TARGET_TOGGLE)
 #ifdef GRAZE_BVH_LEAF_CROSSINGS

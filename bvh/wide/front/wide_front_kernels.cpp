@@ -1,10 +1,9 @@
 // A pass that updates the front of two wide trees (front tracking: wide_front.h), for each SIMD
 // target that the compiler knows.
 //
-// When a gap was proved, three times the slack of that query was taken off it. A later query has a
-// slack of its own: two placed primitives may be nearer by twice that than the trees' frames say
-// (engine/mesh/memory/pair_cache.cpp). It is taken off as well, and what was taken off before is
-// not counted on to cover it.
+// Two slacks are taken off a gap: three times that of the query in which it was proved, and twice
+// that of the query that uses it, by which two placed primitives may be nearer than the trees'
+// frames say (engine/mesh/memory/pair_cache.cpp). Neither is counted on to cover the other.
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "graze/bvh/wide/front/wide_front_kernels.cpp"

@@ -81,8 +81,6 @@ bvh::RayFrame ray_frame_of(const PlacedMeshView& placed, const bvh::LocalFrame& 
 
 const MeshRays& rays_of(const Mesh& mesh, Work* work) {
   const auto& data = MeshAccess::data(mesh);
-  // Each ray asks: call_once() takes longer to say that there is nothing to do.
-  if (data.are_rays_made.load(std::memory_order_acquire)) return *data.rays;
   const bvh::Tree& tree = tree_of(mesh, work);
   std::call_once(data.rays_flag, [&] {
     bvh::in_standard_arithmetic([&] {

@@ -58,7 +58,7 @@ class MeetingQuery {
         work_(work) {}
 
   /// Whether the boxes around both meshes prove that they are apart: then the cache keeps the gap.
-  /// Not asked with a live front, which holds these boxes, too.
+  /// Not asked while a front is in use, which holds these boxes, too.
   bool are_far_apart() {
     if (cache_.meeting.is_live()) return false;
     if (!query_.are_far_apart(work_)) return false;

@@ -20,6 +20,14 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// What on_hit() answers when it has seen enough.
 constexpr double kEnough = -1;
 
+/// Each ray asks: a call takes longer than to see that there is nothing to make.
+const MeshRays& made_rays(const Mesh& mesh, Work* work) {
+  const auto& data = MeshAccess::data(mesh);
+  if (data.are_rays_made.load(std::memory_order_acquire)) [[likely]]
+    return *data.rays;
+  return rays_of(mesh, work);
+}
+
 /// A placed mesh, for any number of rays.
 class MeshForRays {
  public:
@@ -27,7 +35,7 @@ class MeshForRays {
       : placed_(placed),
         work_(work),
         is_at_rest_(is_identity(placed.pose)),
-        rays_(rays_of(placed.mesh, work)),
+        rays_(made_rays(placed.mesh, work)),
         frame_(is_at_rest_ ? rays_.at_rest
                            : own_frame_.emplace(ray_frame_of(placed, rays_.tree.frame))),
         vertices_(MeshAccess::data(placed.mesh).vertices.data()),
@@ -123,7 +131,7 @@ class MeshForRays {
   double limit_for(const narrowphase::PreparedRay& ray, double distance) const {
     // What most rays have: the walk need not wait for a root and a quotient.
     if (distance == kInfinity) return kInfinity;
-    return distance / ray.scaled.length * frame_.per_metre * (1 + 0x10p-53) + 0x1p-1050;
+    return distance / bvh::length_of(ray.scaled) * frame_.per_metre * (1 + 0x10p-53) + 0x1p-1050;
   }
 
   void count(const bvh::RayWalkCounts& counts) const {

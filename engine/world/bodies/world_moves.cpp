@@ -11,7 +11,7 @@ namespace graze {
 
 void World::State::begin_move() {
   boxes_to_move.clear();
-  places.clear();
+  moved_boxes.clear();
   bounding_radii.clear();
 }
 
@@ -21,7 +21,7 @@ void World::State::prepare_move(BodyId id, const Pose& pose, const char* what) {
   check_is_free(what);
   const Bodies::Body& mover = body(id, what);
   bvh::check_rigid(pose, what);
-  places.push_back(bounds_of(*mover.shape, mover.is_users, pose, mover.room(), what));
+  moved_boxes.push_back(bounds_of(*mover.shape, mover.is_users, pose, mover.room(), what));
   bounding_radii.push_back(
       mover.ask([](const BodyShape& shape) { return shape.bounding_radius(); }));
   boxes_to_move.push_back(broad.id(mover.box));
@@ -30,7 +30,7 @@ void World::State::prepare_move(BodyId id, const Pose& pose, const char* what) {
 void World::State::move_prepared(std::span<const BodyId> ids, std::span<const Pose> poses) {
   make_room_for_changes(ids.size());
   movers.make_room(ids.size(), all.bodies.size());
-  broad.move(boxes_to_move, places);
+  broad.move(boxes_to_move, moved_boxes);
   for (std::size_t i = 0; i < ids.size(); ++i) {
     Bodies::Body& mover = all.bodies[ids[i].index];
     double& path = all.changes[ids[i].index].path;

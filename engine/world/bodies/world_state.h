@@ -255,7 +255,7 @@ struct World::State {
   ContactList contacts;                   ///< those of `news` in ascending order of pairs
   std::vector<BodyId> box_hits;
   std::vector<BoxId> boxes_to_move;
-  std::vector<Aabb> places;
+  std::vector<Aabb> moved_boxes;
   std::vector<double> bounding_radii;
   Islands islands;
   std::vector<std::uint32_t> island_changes;  ///< bodies that are to come into islands or to leave

@@ -233,8 +233,8 @@ void BroadPhase::visit_along(const Ray& ray, const RayBoxVisitor& visit) const {
     check_ray(ray, "visit_along");
     const bvh::ScaledDirection scaled = bvh::scaled_direction(ray.direction.data());
     const bvh::RaySlabs slabs(ray.origin.data(), scaled.component);
-    const auto limit_for = [&](double distance) {
-      return distance / scaled.length * (1 + 0x10p-53) + 0x1p-1050;
+    const auto limit_for = [&, length = bvh::length_of(scaled)](double distance) {
+      return distance / length * (1 + 0x10p-53) + 0x1p-1050;
     };
     double limit = limit_for(ray.max_distance);
     const auto visited = [&](std::uint32_t index) {

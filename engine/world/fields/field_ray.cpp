@@ -50,7 +50,7 @@ class FieldRay {
   };
 
   void limit_to(double distance) {
-    limit_ = distance / prepared_.scaled.length * (1 + 0x10p-53) + 0x1p-1050;
+    limit_ = distance / bvh::length_of(prepared_.scaled) * (1 + 0x10p-53) + 0x1p-1050;
   }
 
   double entry_of(const CellRect& cells, const HeightRange& range) {

@@ -19,7 +19,8 @@ using narrowphase::Vec3;
 Vec3 unit_direction(const Ray& ray) {
   const bvh::ScaledDirection scaled = bvh::scaled_direction(ray.direction.data());
   const double* d = scaled.component;
-  return {d[0] / scaled.length, d[1] / scaled.length, d[2] / scaled.length};
+  const double length = bvh::length_of(scaled);
+  return {d[0] / length, d[1] / length, d[2] / length};
 }
 
 std::optional<CoreRayHit> cast_at_half_space(const HalfSpace& half_space, const Pose& pose,

@@ -18,8 +18,8 @@ namespace graze::narrowphase::HWY_NAMESPACE {
 namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
-constexpr std::size_t kBlock = VolumeRows<6>::kBlock;
-using Tag = hn::CappedTag<double, kBlock>;
+constexpr std::size_t kAtOnce = VolumeRows<6>::kAtOnce;
+using Tag = hn::CappedTag<double, kAtOnce>;
 using Lanes = hn::Vec<Tag>;
 using Mask = hn::Mask<Tag>;
 
@@ -53,13 +53,13 @@ HWY_INLINE std::uint64_t byte_for_each(std::uint64_t bits) {
 
 template <typename A, typename B>
 HWY_INLINE void find(const A& a, const B& b, std::size_t count, std::uint8_t* hits) {
-  for (std::size_t first = 0; first < count; first += kBlock) {
+  for (std::size_t first = 0; first < count; first += kAtOnce) {
     std::uint64_t bits = 0;
-    for (std::size_t lane = 0; lane < kBlock; lane += hn::Lanes(Tag()))
+    for (std::size_t lane = 0; lane < kAtOnce; lane += hn::Lanes(Tag()))
       bits |= overlapping(a, b, first + lane) << lane;
     const std::uint64_t bytes = byte_for_each(bits);
-    if (first + kBlock <= count) {
-      for (std::size_t i = 0; i < kBlock; ++i)
+    if (first + kAtOnce <= count) {
+      for (std::size_t i = 0; i < kAtOnce; ++i)
         hits[first + i] = static_cast<std::uint8_t>(bytes >> (8 * i));
     } else {
       for (std::size_t i = first; i < count; ++i)

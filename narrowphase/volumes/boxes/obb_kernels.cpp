@@ -16,8 +16,8 @@ namespace graze::narrowphase::HWY_NAMESPACE {
 namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
-constexpr std::size_t kBlock = VolumeRows<kObbRows>::kBlock;
-using Tag = hn::CappedTag<double, kBlock>;
+constexpr std::size_t kAtOnce = VolumeRows<kObbRows>::kAtOnce;
+using Tag = hn::CappedTag<double, kAtOnce>;
 using Lanes = hn::Vec<Tag>;
 using Mask = hn::Mask<Tag>;
 

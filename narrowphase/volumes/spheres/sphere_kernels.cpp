@@ -15,8 +15,8 @@ namespace graze::narrowphase::HWY_NAMESPACE {
 namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
-constexpr std::size_t kBlock = 8;  // pairs whose verdicts are written at once
-using Tag = hn::CappedTag<double, kBlock>;
+constexpr std::size_t kAtOnce = 8;  // pairs whose verdicts are written at once
+using Tag = hn::CappedTag<double, kAtOnce>;
 using Lanes = hn::Vec<Tag>;
 using Mask = hn::Mask<Tag>;
 
@@ -39,7 +39,7 @@ struct Many {
 /// The last elements, fewer than a block, with zeros behind them.
 template <std::size_t N>
 struct Rest {
-  double values[N][kBlock] = {};
+  double values[N][kAtOnce] = {};
   Rest(const Many<N>& many, std::size_t first, std::size_t count) {
     for (std::size_t r = 0; r < N; ++r) {
       for (std::size_t i = first; i < count; ++i)
@@ -136,7 +136,7 @@ template <typename Judge, typename A, typename B>
 HWY_INLINE void judge_block(const A& a, const B& b, std::size_t first, std::size_t count,
                             std::uint8_t* verdicts) {
   std::uint64_t apart = 0, touching = 0;
-  for (std::size_t lane = 0; lane < kBlock; lane += hn::Lanes(Tag())) {
+  for (std::size_t lane = 0; lane < kAtOnce; lane += hn::Lanes(Tag())) {
     const Sure sure = Judge()(a, b, first + lane);
     apart |= bits_of(sure.apart) << lane;
     touching |= bits_of(sure.touching) << lane;
@@ -151,8 +151,8 @@ HWY_INLINE void judge_block(const A& a, const B& b, std::size_t first, std::size
 template <typename Judge, typename A, typename B>
 HWY_INLINE void judge(const A& a, const B& b, std::size_t count, std::uint8_t* verdicts) {
   std::size_t first = 0;
-  for (; first + kBlock <= count; first += kBlock)
-    judge_block<Judge>(a, b, first, kBlock, verdicts + first);
+  for (; first + kAtOnce <= count; first += kAtOnce)
+    judge_block<Judge>(a, b, first, kAtOnce, verdicts + first);
   if (first == count) return;
   judge_block<Judge>(rest_of(a, first, count), rest_of(b, first, count), 0, count - first,
                      verdicts + first);
