@@ -39,6 +39,7 @@ std::size_t cluster_count(const Tree& tree, const std::vector<std::uint32_t>& co
 void set_lane(Cluster& cluster, std::uint32_t lane, std::uint32_t primitive, const FloatBox& box,
               const std::uint32_t (&labels)[3]);
 
+/// Takes all out.
 void make_empty(Cluster& cluster);
 
 /// Cuts a tree whose leaves hold no more than a cluster does. `box_of(place)` says the box in the
