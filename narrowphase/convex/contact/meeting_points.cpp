@@ -196,6 +196,21 @@ std::optional<Vec3> onto_surface(const FaceOf& of, const Vec3& point, const Vec3
   return std::nullopt;
 }
 
+bool lies_on(const FaceOf& of, const Vec3& point, double within) {
+  if (is_uneven(of)) return true;
+  const ContactFace& face = of.face;
+  bool is_inside = face.count > 2 && std::abs(dot(face.normal, point - face.corner[0])) <= within;
+  for (int i = 0; i + (face.count > 2 ? 0 : 1) < face.count; ++i) {
+    const Vec3 edge = face.corner[i + 1 == face.count ? 0 : i + 1] - face.corner[i];
+    const Vec3 offset = point - face.corner[i];
+    const double square = dot(edge, edge);
+    const double share = square > 0 ? std::clamp(dot(offset, edge) / square, 0.0, 1.0) : 0;
+    if (length(offset - edge * share) <= within) return true;
+    if (dot(offset, cross(edge, face.normal)) > 0) is_inside = false;
+  }
+  return is_inside;
+}
+
 bool move_to_deepest(const FaceOf& incident, const FaceOf& reference, double sign, double touching,
                      ContactPoint& contact) {
   const RoundSide met_side(reference, contact.normal), own_side(incident, contact.normal);
