@@ -48,7 +48,8 @@ class Polytope {
       const Vec3 normal = planes_.normal(nearest);
       const Vec3 corner = look_along(normal);
       // Bounds that contradict each other are none: rounding has torn the polytope.
-      if (upper_ - lower_ <= tolerance_) return result(lower_ - upper_ <= tolerance_);
+      if (upper_ - lower_ <= tolerance_)
+        return result(lower_ - upper_ <= tolerance_ && is_proved(nearest));
       if (!(dot(normal, corner) - lower_ > noise_)) return result(false);
       if (!grow(corner)) return result(false);
     }
@@ -140,6 +141,47 @@ class Polytope {
     const double beyond = length(nearest - planes_.normal(face) * height);
     const double leaning = kLeaning * (largest(u) + largest(v)) / length(cross(u, v));
     return height - noise_ * (1 + leaning * beyond);
+  }
+
+  /// Whether no face is nearer to the origin, within its triangle, than the bound of the nearest
+  /// plane says: else that is less, and all that is known. The plane of a narrow face may be off by
+  /// its normal's rounding over its length, and another than the nearest. But the least of what a
+  /// unit direction makes of three corners is a bound whatever the direction is, as no point of the
+  /// triangle makes less, or more than its distance.
+  bool is_proved(int nearest) {
+    if (planes_.height[nearest] < 0) return true;  // a point of the polytope proves it
+    double least = lower_ + noise_;
+    for (int i = 0; i < face_count_; ++i) {
+      const double of_plane = least_along(faces_[i], planes_.normal(i));
+      if (of_plane < least) least = std::min(least, std::max(of_plane, least_of(i)));
+    }
+    lower_ = std::min(lower_, least - noise_);
+    return upper_ - lower_ <= tolerance_;
+  }
+
+  double least_along(const Face& face, const Vec3& direction) const {
+    return std::min(dot(corners_[face.corner[0]], direction),
+                    std::min(dot(corners_[face.corner[1]], direction),
+                             dot(corners_[face.corner[2]], direction)));
+  }
+
+  /// A bound of the distance of a face's triangle from the origin, of two directions: the normal
+  /// without what rounding leaves of it along the longest edge, and the way to the nearest point.
+  double least_of(int i) const {
+    const Face& face = faces_[i];
+    Core triangle;
+    triangle.kind = CoreKind::Triangle;
+    Vec3 longest;
+    for (int k = 0; k < 3; ++k) {
+      triangle.corner[k] = corners_[face.corner[k]];
+      const Vec3 edge = corners_[face.corner[(k + 1) % 3]] - triangle.corner[k];
+      if (dot(edge, edge) > dot(longest, longest)) longest = edge;
+    }
+    const Vec3 normal = planes_.normal(i);
+    const Vec3 across = normal - longest * (dot(normal, longest) / dot(longest, longest));
+    const Vec3 nearest = nearest_on_triangle(triangle, {0, 0, 0});
+    return std::max(least_along(face, unit_or(across, {})),
+                    least_along(face, unit_or(nearest, {})));
   }
 
   /// Replaces all faces that see the corner by a fan from their horizon, one closed loop.
