@@ -245,12 +245,22 @@ bool TriangleCandidates::add_deepest(const TouchedTriangle& member) {
   if (member.parting.feature != LeftFeature::Face) return false;
   const Parting parting = parting_of(member);
   const Vec3 deepest = rounded_support(core_, parting.penetration.normal);
-  const Vec3 foot = deepest - parting.penetration.normal * parting.penetration.depth;
+  Vec3 foot = deepest - parting.penetration.normal * parting.penetration.depth;
   const std::optional<std::uint32_t> met =
       features_.flat_triangle(member.parting.triangle, member.triangle, foot);
   if (!met) return false;
   candidates_.found.clear();
-  add_point(foot, parting, candidates_.found);
+  const double off = *met == member.parting.triangle
+                         ? 0
+                         : features_.height_above(*met, foot, parting.penetration.normal);
+  if (std::abs(off) > kOnSurface * (core_.bounding_radius + core_.radius)) {
+    foot = foot - parting.penetration.normal * off;
+    candidates_.found.push_back({deepest, foot, parting.penetration.normal,
+                                 std::max(parting.penetration.depth + off, 0.0),
+                                 narrowphase::kPointFeature, narrowphase::kPointFeature});
+  } else {
+    add_point(foot, parting, candidates_.found);
+  }
   take(face_feature(*met));
   return true;
 }
@@ -336,7 +346,6 @@ void TriangleCandidates::add_alone(const TouchedTriangle& member) {
 
 /// Whether a point that is meant to be on the shape's surface is there.
 bool TriangleCandidates::is_on_shape(const Vec3& point) const {
-  if (core_.kind == narrowphase::CoreKind::Point) return true;
   Core core;
   core.at = point;
   const double size = core_.bounding_radius + core_.radius;

@@ -146,6 +146,10 @@ void add_clipped(const FaceOf& incident, const FaceOf& reference, const Penetrat
   const CoreKind kind = reference.core.kind;
   const bool has_sharp_corners =
       (kind == CoreKind::Points || kind == CoreKind::Triangle) && is_sharp(sides);
+  const CoreKind own_kind = incident.core.kind;
+  const bool is_needle =
+      has_sharp_corners || is_uneven(incident) || is_uneven(reference) ||
+      ((own_kind == CoreKind::Points || own_kind == CoreKind::Triangle) && is_sharp(incident.face));
   for (int i = 0; i < clipped.count; ++i) {
     const ClippedFace::Corner& corner = clipped.corner[i];
     ContactPoint contact;
@@ -163,9 +167,8 @@ void add_clipped(const FaceOf& incident, const FaceOf& reference, const Penetrat
       met = *on_reference, own = *on_incident;
       contact.depth = dot(met - own, out);
     }
-    if ((has_sharp_corners || is_uneven(incident) || is_uneven(reference)) &&
-        !(lies_on(reference, met, tolerance.touching) &&
-          lies_on(incident, own, tolerance.touching)))
+    if (is_needle && !(lies_on(reference, met, tolerance.touching) &&
+                       lies_on(incident, own, tolerance.touching)))
       continue;
     contact.point_a = sign > 0 ? met : own;
     contact.point_b = sign > 0 ? own : met;

@@ -1,5 +1,6 @@
 #include <graze/narrowphase/convex/contact/meeting_points.h>
 #include <graze/narrowphase/convex/core/core_ray.h>
+#include <graze/narrowphase/convex/core/segments.h>
 #include <graze/narrowphase/convex/gap/closed_gap.h>
 
 #include <algorithm>
@@ -196,19 +197,21 @@ std::optional<Vec3> onto_surface(const FaceOf& of, const Vec3& point, const Vec3
   return std::nullopt;
 }
 
+// By triangles, as the normal of a needle says little about where its far end is.
 bool lies_on(const FaceOf& of, const Vec3& point, double within) {
   if (is_uneven(of)) return true;
   const ContactFace& face = of.face;
-  bool is_inside = face.count > 2 && std::abs(dot(face.normal, point - face.corner[0])) <= within;
-  for (int i = 0; i + (face.count > 2 ? 0 : 1) < face.count; ++i) {
-    const Vec3 edge = face.corner[i + 1 == face.count ? 0 : i + 1] - face.corner[i];
-    const Vec3 offset = point - face.corner[i];
-    const double square = dot(edge, edge);
-    const double share = square > 0 ? std::clamp(dot(offset, edge) / square, 0.0, 1.0) : 0;
-    if (length(offset - edge * share) <= within) return true;
-    if (dot(offset, cross(edge, face.normal)) > 0) is_inside = false;
+  const Vec3* corner = face.corner;
+  if (face.count == 2)
+    return length(nearest_on_segment(corner[0], corner[1], point) - point) <= within;
+  Core triangle;
+  triangle.kind = CoreKind::Triangle;
+  for (int i = 2; i < face.count; ++i) {
+    triangle.corner[0] = corner[0], triangle.corner[1] = corner[i - 1];
+    triangle.corner[2] = corner[i];
+    if (length(nearest_on_triangle(triangle, point) - point) <= within) return true;
   }
-  return is_inside;
+  return false;
 }
 
 bool move_to_deepest(const FaceOf& incident, const FaceOf& reference, double sign, double touching,
