@@ -91,15 +91,6 @@ Core FacingFeatures::placed_triangle(std::uint32_t index) const {
   return core_of(placed_corners(placing_, index));
 }
 
-double FacingFeatures::height_above(std::uint32_t index, const Vec3& point,
-                                    const Vec3& direction) const {
-  const Core triangle = placed_triangle(index);
-  const Vec3* corner = triangle.corner;
-  const Vec3 normal = cross(corner[1] - corner[0], corner[2] - corner[0]);
-  const double facing = dot(normal, direction);
-  return facing != 0 ? dot(normal, point - corner[0]) / facing : 0;
-}
-
 /// Goes on over the edge that the point is farthest beyond.
 std::optional<std::uint32_t> FacingFeatures::flat_triangle(std::uint32_t index, const Core& first,
                                                            const Vec3& point) const {

@@ -48,9 +48,6 @@ class FacingFeatures {
 
   /// A triangle as the solvers take it.
   narrowphase::Core placed_triangle(std::uint32_t index) const;
-  /// How far along a unit direction a point is from the plane of a triangle that is not a sliver.
-  double height_above(std::uint32_t index, const narrowphase::Vec3& point,
-                      const narrowphase::Vec3& direction) const;
 
   /// The triangles around a welded vertex.
   std::span<const std::uint32_t> fan(std::uint32_t vertex) const;

@@ -245,21 +245,23 @@ bool TriangleCandidates::add_deepest(const TouchedTriangle& member) {
   if (member.parting.feature != LeftFeature::Face) return false;
   const Parting parting = parting_of(member);
   const Vec3 deepest = rounded_support(core_, parting.penetration.normal);
-  Vec3 foot = deepest - parting.penetration.normal * parting.penetration.depth;
+  const Vec3 foot = deepest - parting.penetration.normal * parting.penetration.depth;
   const std::optional<std::uint32_t> met =
       features_.flat_triangle(member.parting.triangle, member.triangle, foot);
   if (!met) return false;
   candidates_.found.clear();
-  const double off = *met == member.parting.triangle
-                         ? 0
-                         : features_.height_above(*met, foot, parting.penetration.normal);
-  if (std::abs(off) > kOnSurface * (core_.bounding_radius + core_.radius)) {
-    foot = foot - parting.penetration.normal * off;
-    candidates_.found.push_back({deepest, foot, parting.penetration.normal,
-                                 std::max(parting.penetration.depth + off, 0.0),
-                                 narrowphase::kPointFeature, narrowphase::kPointFeature});
-  } else {
-    add_point(foot, parting, candidates_.found);
+  add_point(foot, parting, candidates_.found);
+  // A surface that goes on nearly flat is beside the plane, and a needle's plane beside its tip.
+  const bool is_member = *met == member.parting.triangle;
+  if (!is_member || narrowphase::is_narrow(member.triangle)) {
+    const Core triangle = is_member ? member.triangle : features_.placed_triangle(*met);
+    const Vec3 on_mesh = nearest_on_triangle(triangle, foot);
+    const double size = core_.bounding_radius + core_.radius;
+    ContactPoint& touch = candidates_.found.back();
+    if (length(on_mesh - foot) > kOnSurface * size) {
+      touch.point_a = deepest, touch.point_b = on_mesh;
+      touch.depth = std::max(dot(deepest - on_mesh, touch.normal), 0.0);
+    }
   }
   take(face_feature(*met));
   return true;

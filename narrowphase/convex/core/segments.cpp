@@ -84,6 +84,10 @@ namespace {
 // products of four lengths are off by some u over that square: below it by 2^-35 and more.
 constexpr double kNarrow = 0x1p-18;
 
+bool is_narrow(double sine_square, double square_b, double square_c) {
+  return !(sine_square > kNarrow * (square_b * square_c));
+}
+
 /// Of a narrow triangle the point that is nearest in its inside, if there is one: along the longest
 /// edge to the foot, then across it. Nothing of that is worse known than corners are.
 bool find_inside_narrow(const Vec3* corner, const Vec3& point, Vec3& found) {
@@ -119,11 +123,11 @@ Vec3 nearest_on_triangle(const Core& triangle, const Vec3& point) {
   const double d3 = dot(ab, bp), d4 = dot(ac, bp), d5 = dot(ab, cp), d6 = dot(ac, cp);
   const double of_c = d1 * d4 - d3 * d2, of_b = d5 * d2 - d1 * d6, of_a = d3 * d6 - d5 * d4;
   const double sum = (of_a + of_b) + of_c;
-  const bool is_narrow = !(sum > kNarrow * (dot(ab, ab) * dot(ac, ac)));
-  if (!is_narrow && of_a > 0 && of_b > 0 && of_c > 0)
+  const bool has_no_plane = is_narrow(sum, dot(ab, ab), dot(ac, ac));
+  if (!has_no_plane && of_a > 0 && of_b > 0 && of_c > 0)
     return c[0] + (edge_b * (of_b / sum) + edge_c * (of_c / sum));
   Vec3 best;
-  if (is_narrow && find_inside_narrow(c, point, best)) return best;
+  if (has_no_plane && find_inside_narrow(c, point, best)) return best;
   double least = std::numeric_limits<double>::infinity();
   for (int i = 0; i < 3; ++i) {
     const Vec3 found = nearest_on_segment(c[i], c[(i + 1) % 3], point);
@@ -131,6 +135,14 @@ Vec3 nearest_on_triangle(const Core& triangle, const Vec3& point) {
     if (square < least) least = square, best = found;
   }
   return best;
+}
+
+bool is_narrow(const Core& triangle) {
+  const Vec3 edge_b = triangle.corner[1] - triangle.corner[0];
+  const Vec3 edge_c = triangle.corner[2] - triangle.corner[0];
+  const double scale = unit_scale(std::max(largest(edge_b), largest(edge_c)));
+  const Vec3 ab = edge_b * scale, ac = edge_c * scale, product = cross(ab, ac);
+  return is_narrow(dot(product, product), dot(ab, ab), dot(ac, ac));
 }
 
 }  // namespace graze::narrowphase

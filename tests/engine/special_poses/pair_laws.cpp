@@ -162,6 +162,7 @@ class Laws {
   static double inside_by(const Shape& shape, const Pose& pose, const Shape& mesh,
                           const Pose& mesh_pose) {
     if (mesh.kind() != ShapeKind::Mesh || shape.kind() == ShapeKind::HalfSpace) return -1e300;
+    if (mesh.as<Mesh>()->triangles().size() != 12) return -1e300;
     const Vector3d half = mesh.as<Mesh>()->bounds().max;
     double least = std::numeric_limits<double>::infinity();
     for (int i = 0; i < 6; ++i) {

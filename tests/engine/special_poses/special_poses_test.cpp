@@ -251,7 +251,7 @@ TEST(SpecialPoses, PairsThatOnceBrokeAPromiseKeepEveryOne) {
   }
   EXPECT_GE(counts.pairs, 26u);
   // Of what is lost in the rounding of a cone, a hull or a box, and of two that their boxes part.
-  EXPECT_LE(counts.unconverged, 5u);
+  EXPECT_LE(counts.unconverged, 9u);
 }
 
 /// One pose's axis along the other's, turned about it, apart by `gap` along a direction across it.
