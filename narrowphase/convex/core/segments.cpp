@@ -80,12 +80,14 @@ NearestPoints nearest_of_segments(const Vec3& p_a, const Vec3& q_a, const Vec3& 
 
 namespace {
 
-// A triangle is narrow where the square of the sine at its first corner is below this. Weights by
-// products of four lengths are off by some u over that square: below it by 2^-35 and more.
-constexpr double kNarrow = 0x1p-18;
+// A triangle is narrow where the square of its height is below this share of that of its length.
+// Weights by products of four lengths are off by some u over that share: above it by 2^-34, mostly.
+constexpr double kNarrow = 0x1p-16;
 
-bool is_narrow(double sine_square, double square_b, double square_c) {
-  return !(sine_square > kNarrow * (square_b * square_c));
+/// By the square of the product of two of its sides, and their own.
+bool is_narrow(double of_product, double of_b, double of_c) {
+  const double length = std::max(of_b, of_c);
+  return !(of_product > kNarrow * (length * length));
 }
 
 /// Of a narrow triangle the point that is nearest in its inside, if there is one: along the longest
