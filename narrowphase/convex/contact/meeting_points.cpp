@@ -9,6 +9,11 @@
 namespace graze::narrowphase {
 namespace {
 
+// A set is far larger than another that is less than this share of it; and points that are this
+// share of the scale from each other may be one to a search.
+constexpr double kFarLarger = 0x1p-16;
+constexpr double kNearEnough = 0x1p-30;
+
 /// A share of the scale that is well above the rounding of points and gaps.
 constexpr double kBeyondRounding = 0x1p-40;
 
@@ -152,6 +157,16 @@ double off_the_way(const MeetingPoints& met, const Penetration& penetration) {
   return length(met.on_a - met.on_b - penetration.normal * penetration.depth);
 }
 
+/// Moves the point of the smaller set along the normal to where its surface is. Beside a partner
+/// that is so much larger a search may end with points that are known to its share of the scale
+/// alone, which is a good deal of the smaller set.
+void put_on_surface(const Core& core, bool is_a, const Vec3& normal, double scale,
+                    MeetingPoints& met) {
+  Vec3& point = is_a ? met.on_a : met.on_b;
+  const std::optional<Vec3> end = end_on_line(core, point, is_a ? normal : -normal);
+  if (end && length(*end - point) < kNearEnough * scale) point = *end;
+}
+
 }  // namespace
 
 // A clearance that the bounds of a search hardly tell from nothing may end beside where the two
@@ -167,6 +182,8 @@ MeetingPoints meeting_points(const Core& a, const Core& b, const Penetration& pe
     const double its = off_the_way(other, penetration);
     if (its < off) met = other, off = its;
   }
+  if (kFarLarger * pair_scale(a, b) > smaller_size(a, b))
+    put_on_surface(is_a_first ? a : b, is_a_first, penetration.normal, pair_scale(a, b), met);
   return met;
 }
 
