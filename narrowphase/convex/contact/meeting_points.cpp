@@ -9,9 +9,11 @@
 namespace graze::narrowphase {
 namespace {
 
-// A set is far larger than another that is less than this share of it; and points that are this
-// share of the scale from each other may be one to a search.
+// A set is far larger than another that is less than this share of it. Points that are so near to
+// the surface, as a share of the scale, are on it; and what is further from it than the other share
+// is of another part of it.
 constexpr double kFarLarger = 0x1p-16;
+constexpr double kOnSurface = 0x1p-34;
 constexpr double kNearEnough = 0x1p-30;
 
 /// A share of the scale that is well above the rounding of points and gaps.
@@ -164,7 +166,9 @@ void put_on_surface(const Core& core, bool is_a, const Vec3& normal, double scal
                     MeetingPoints& met) {
   Vec3& point = is_a ? met.on_a : met.on_b;
   const std::optional<Vec3> end = end_on_line(core, point, is_a ? normal : -normal);
-  if (end && length(*end - point) < kNearEnough * scale) point = *end;
+  if (!end) return;
+  const double off = length(*end - point);
+  if (off > kOnSurface * scale && off < kNearEnough * scale) point = *end;
 }
 
 }  // namespace
