@@ -148,10 +148,10 @@ inline Manifold& Manifold::operator=(Manifold&& other) noexcept {
 /// 2^-32 of the scale of the pair (their sizes and the distance of their middles) and the rounding
 /// of world coordinates. point_a - point_b is depth times normal, where faces, or edges along each
 /// other, meet, and above a half-space, to the same tolerance. Where one point of each meets, the
-/// two are where the shapes touch once they are parted: to 2^-17 of the smaller one's size, or
-/// 2^-16 of the scale if one is a sphere or a capsule; and no better than the depth is the least,
-/// which of a box and a box or a mesh is to a twentieth of it, and nothing if
-/// Work::penetration_failures counts the pair. Of two meshes, up to the depths of law 15, one of
+/// two are where the shapes touch once they are parted: to 2^-17 of the smaller one's size and
+/// 2^-30 of the scale, or 2^-16 of the scale if one is a sphere or a capsule; and no better than
+/// the depth is the least, which of a box and a box or a mesh is to a twentieth of it, and nothing
+/// if Work::penetration_failures counts the pair. Of two meshes, up to the depths of law 15, one of
 /// the points is on its surface, to 1e-9 of the scale; the other as near to the plane of a face
 /// there, or across the normal where a corner or an edge is left: beside its surface where that is
 /// curved, and where faces lie in each other but for rounding as far as the first body reaches.
@@ -182,11 +182,16 @@ struct ManifoldSettings {
 
 /// The same with a margin: empty exactly when the two are apart by more than it, as distance()
 /// says, or by its lower bound where that has not converged. The contacts are those of A grown by
-/// the margin, by the same definition, and as they lie on A itself: a depth may be negative, down
-/// to minus the margin, where the surfaces are apart along the normal by that much. Of two that do
-/// not touch no depth is above 0. A mesh grows triangle by triangle, to its front; where all that
-/// is near is behind it, as for a ball inside a closed mesh, the one contact is that of the nearest
-/// points. Of two meshes what is near along one direction is one region.
+/// the margin along the normal, by the same definition, and as they lie on A itself: a depth may be
+/// negative, down to minus the margin, where the surfaces are apart along the normal by that much.
+/// Of two that do not touch no depth is above 0. A mesh grows triangle by triangle, to its front;
+/// where all that is near is behind it, as for a ball inside a closed mesh, the one contact is that
+/// of the nearest points. Of two meshes what is near along one direction is one region.
+///
+/// Points are on the surfaces as without a margin, to the same tolerances, of two that are apart as
+/// of two that touch, however their faces lean. So is where they are to each other, but that beside
+/// a mesh what does not touch may lie aside of the normal. Along it they are the depth apart, to
+/// 1e-6 of the smaller size and the margin and 2^-30 of the scale.
 ///
 /// What does not touch, and is on the inner side of a mesh whose sides count, has contacts, too:
 /// one region, in front of which it is once it has moved by the greatest depth. A solid is left by

@@ -60,14 +60,15 @@ struct ShapeDistance {
   bool operator==(const ShapeDistance&) const = default;
 };
 
-// Rounding moves points by 2^-46 of the scale, and of the world's coordinates where those are
+// Rounding moves points by 2^-45 of the scale, and of the world's coordinates where those are
 // greater. But for that, points are of their shapes: on the surfaces, or below one by at most
 // kTouchTolerance of the scale, where a search for round sides ended within it. Of shapes that are
 // apart by less than kTouchTolerance of the scale, or that touch, points are known to that
 // tolerance, and the distance may exceed that of its points, which may be one: it is then what
 // boxes or an exact test prove. Of a mesh and a convex shape that is no sphere it may even be the
 // least double, 4.9e-324: apart, by the exact test or by the boxes of triangles, and by less than
-// the distance's tolerance.
+// the distance's tolerance. Where a search leaves open where these are nearest, the points are one
+// of each, and the distance is theirs.
 
 // All questions: shapes in poses in the world's frame, each in one argument: `distance({Box{{1, 1,
 // 1}}}, {hull, pose})`. They are templates, of which there is one, only so that C++ prefers the

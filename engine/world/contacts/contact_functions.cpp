@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace graze {
 
@@ -41,27 +42,24 @@ bool candidates_of_spheres(const PlacedShapeView& a, const PlacedShapeView& b,
 
 }  // namespace
 
-void grow(Core& core_a, const Core& core_b, double margin, Parting& parting) {
+void sign_depth(const Core& core_a, const Core& core_b, Parting& parting) {
   narrowphase::Penetration& penetration = parting.penetration;
   if (!(penetration.depth > 0)) penetration.depth = along(core_a, core_b, penetration.normal).depth;
-  penetration.depth = std::max(penetration.depth + margin, 0.0);
-  penetration.point_a = penetration.point_a + penetration.normal * margin;
-  core_a.radius += margin;
 }
 
 void candidates_of_cores(const PlacedShapeView& a, const PlacedShapeView& b,
                          ContactCandidates& candidates, Work& work) {
   if (b.shape.kind() == ShapeKind::Sphere && candidates_of_spheres(a, b, candidates)) return;
   candidates.origin = middle_of(a.shape, a.pose);
-  Core core_a = core_of(a.shape, a.pose, candidates.origin);
+  const Core core_a = core_of(a.shape, a.pose, candidates.origin);
   const Core core_b = core_of(b.shape, b.pose, candidates.origin);
   const CoreGap gap = narrowphase::nearest(core_a, core_b);
   ++work.convex_tests;
   Parting parting = part(core_a, core_b, gap);
   work.penetration_tests += parting.is_asked;
   work.penetration_failures += parting.is_failed;
-  if (candidates.margin > 0) grow(core_a, core_b, candidates.margin, parting);
-  add_contact_points(core_a, core_b, parting, candidates.list);
+  if (candidates.margin > 0) sign_depth(core_a, core_b, parting);
+  add_contact_points(core_a, core_b, parting, candidates.list, candidates.margin);
 }
 
 // The axes along which they part mostly tell for sure whether they touch.
@@ -82,8 +80,8 @@ void candidates_of_boxes(const PlacedShapeView& a, const PlacedShapeView& b,
 void candidates_with_plane(const PlacedShapeView& a, const PlacedShapeView& b,
                            ContactCandidates& candidates) {
   candidates.origin = middle_of(a.shape, a.pose);
-  Core core = core_of(a.shape, a.pose, candidates.origin);
-  core.radius += candidates.margin;
+  const Core core = core_of(a.shape, a.pose, candidates.origin);
+  const double margin = candidates.margin;
   const PlacedHalfSpace plane =
       placed_half_space(*b.shape.as<HalfSpace>(), b.pose, candidates.origin);
   const Vec3 down = -plane.normal;
@@ -91,22 +89,25 @@ void candidates_with_plane(const PlacedShapeView& a, const PlacedShapeView& b,
     const double depth = plane.offset - dot(plane.normal, point);
     const Vec3 foot = point + plane.normal * depth;
     candidates.list.push_back({point, foot, down, std::max(depth, 0.0), feature, 0});
+    if (!(margin > 0)) return;
+    candidates.list.back().point_a = point + down * margin;
+    candidates.list.back().depth = std::max(depth + margin, 0.0);
   };
   const Vec3 lowest = rounded_support(core, down);
   const double deepest = plane.offset - dot(plane.normal, lowest);
   const ContactFace face = face_along(core, down);
   const double tolerance =
-      kTouchTolerance * (core.bounding_radius + core.radius + std::abs(plane.offset));
-  double found = -1;
+      kTouchTolerance * (core.bounding_radius + core.radius + margin + std::abs(plane.offset));
+  double found = -std::numeric_limits<double>::infinity();
   for (int i = 0; i < face.count; ++i) {
     const double depth = plane.offset - dot(plane.normal, face.corner[i]);
-    if (depth < -tolerance) continue;
+    if (depth + margin < -tolerance) continue;
     found = std::max(found, depth);
     add(face.corner[i], (static_cast<std::uint64_t>(face.id) << 32) | face.corner_id[i]);
   }
   // What the corners of a face leave out, above all of a round one, is the deepest point itself.
   constexpr double kSameDepth = 1e-6;
-  if (found < 0 || deepest - found > kSameDepth * (core.bounding_radius + core.radius))
+  if (found + margin < 0 || deepest - found > kSameDepth * (core.bounding_radius + core.radius))
     add(lowest, narrowphase::kPointFeature);
 }
 

@@ -41,10 +41,10 @@ void write_manifold(ContactCandidates& candidates, bool is_mirrored, Manifold& m
 /// This thread's, without any.
 ContactCandidates& empty_candidates(double margin);
 
-/// Makes of how two cores part how they do once A is grown by the margin, and grows it: the way is
-/// the same, and so much longer. Where they are apart the depth that part() calls 0 is negative.
-void grow(narrowphase::Core& core_a, const narrowphase::Core& core_b, double margin,
-          narrowphase::Parting& parting);
+/// Makes the depth that part() calls 0 of cores that are apart negative: how far apart they are
+/// along the normal.
+void sign_depth(const narrowphase::Core& core_a, const narrowphase::Core& core_b,
+                narrowphase::Parting& parting);
 
 void candidates_of_cores(const PlacedShapeView& a, const PlacedShapeView& b,
                          ContactCandidates& candidates, Work& work);

@@ -75,6 +75,10 @@ TriangleCandidates::TriangleCandidates(const Core& core, const PlacedMeshView& m
       partings_(core, features_),
       work_(work),
       s_(scratch()) {
+  if (candidates.margin > 0) {
+    bare_ = core;
+    bare_->radius -= candidates.margin;
+  }
   s_.touched.clear(), s_.slivers.clear();
 }
 
@@ -85,11 +89,10 @@ void TriangleCandidates::add(std::uint32_t index, const Core& triangle) {
   if (!are_apart(core_, triangle, status)) offer(index, triangle);
 }
 
-/// The shape without the margin.
-Core TriangleCandidates::bare() const {
-  Core core = core_;
-  core.radius -= candidates_.margin;
-  return core;
+/// How it parts without the margin, by a depth that may be negative.
+Parting TriangleCandidates::bare(Parting parting) const {
+  parting.penetration.depth -= candidates_.margin;
+  return parting;
 }
 
 /// Whether the shape itself is wholly behind the triangle's plane: it does not touch the triangle,
@@ -175,7 +178,8 @@ void TriangleCandidates::add_region(std::span<const TouchedTriangle> members) {
 /// that are only nearly at right angles to the way may be more than the way leaves.
 void TriangleCandidates::add_over_face(const TouchedTriangle& face, const Parting& parting) {
   candidates_.found.clear();
-  add_face_contact_points(core_, face.triangle, parting.penetration, candidates_.found);
+  add_face_contact_points(bare(), face.triangle, bare(parting).penetration, candidates_.found,
+                          candidates_.margin);
   const double most =
       parting.penetration.depth + kSameDepth * (core_.bounding_radius + core_.radius);
   std::erase_if(candidates_.found, [&](ContactPoint& touch) {
@@ -210,8 +214,8 @@ void TriangleCandidates::add_member(const TouchedTriangle& member) {
     case LeftFeature::Edge: {
       const std::uint32_t s = features_.vertex(index, k), t = features_.vertex(index, next);
       if (is_held(s) && is_held(t)) return;
-      add_contact_points(core_, segment(member.triangle.corner[k], member.triangle.corner[next]),
-                         parting, candidates_.found);
+      add_contact_points(bare(), segment(member.triangle.corner[k], member.triangle.corner[next]),
+                         bare(parting), candidates_.found, candidates_.margin);
       // Beyond the end of this edge another is left.
       std::erase_if(candidates_.found, [&](const ContactPoint& touch) {
         const Vec3 off = touch.point_a - touch.point_b - touch.normal * touch.depth;
@@ -223,8 +227,13 @@ void TriangleCandidates::add_member(const TouchedTriangle& member) {
     case LeftFeature::Corner: {
       const std::uint32_t vertex = features_.vertex(index, k);
       if (is_held(vertex)) return;
-      add_point(member.triangle.corner[k], parting, candidates_.found);
-      if (!is_on_shape(candidates_.found.back().point_a)) return;
+      const Vec3& corner = member.triangle.corner[k];
+      if (candidates_.margin > 0) {
+        if (!add_before(corner, parting.penetration.normal)) return;
+      } else {
+        add_point(corner, parting, candidates_.found);
+        if (!is_on_shape(candidates_.found.back().point_a)) return;
+      }
       take(corner_feature(numbers_.vertex(vertex)));
       break;
     }
@@ -242,6 +251,18 @@ bool TriangleCandidates::add_deepest(const TouchedTriangle& member) {
   if (!met) return false;
   candidates_.found.clear();
   add_point(foot, parting, candidates_.found);
+  // A surface that goes on nearly flat is beside the plane, and a needle's plane beside its tip.
+  const bool is_member = *met == member.parting.triangle;
+  if (!is_member || narrowphase::is_narrow(member.triangle)) {
+    const Core triangle = is_member ? member.triangle : features_.placed_triangle(*met);
+    const Vec3 on_mesh = nearest_on_triangle(triangle, foot);
+    const double size = core_.bounding_radius + core_.radius;
+    ContactPoint& touch = candidates_.found.back();
+    if (length(on_mesh - foot) > kOnSurface * size) {
+      touch.point_a = deepest, touch.point_b = on_mesh;
+      touch.depth = std::max(dot(deepest - on_mesh, touch.normal), 0.0);
+    }
+  }
   take(face_feature(*met));
   return true;
 }
@@ -255,11 +276,32 @@ void TriangleCandidates::add_nearest(const TouchedTriangle& member) {
   const Parting parting = parting_of(member);
   const Vec3 between = unit_or(gap.point_b - gap.point_a, -parting.penetration.normal);
   if (!(distance > 0) || dot(between, parting.penetration.normal) < kNearlyFacing) return;
-  const double depth = std::max(candidates_.margin - distance, 0.0);
-  candidates_.found.assign(
-      1, {gap.point_b + parting.penetration.normal * depth, gap.point_b, parting.penetration.normal,
-          depth, narrowphase::kPointFeature, narrowphase::kPointFeature});
+  candidates_.found.clear();
+  add_apart(gap.point_a + between * bare().radius, gap.point_b, parting.penetration.normal);
   take(face_feature(member.parting.triangle));
+}
+
+/// A point of each surface, apart but for the margin, that need not lie along the normal.
+void TriangleCandidates::add_apart(const Vec3& on_shape, const Vec3& on_mesh, const Vec3& normal) {
+  const double margin = candidates_.margin;
+  const double depth = std::max(dot(on_shape - on_mesh, normal) + margin, 0.0);
+  candidates_.found.push_back({on_shape + normal * margin, on_mesh, normal, depth,
+                               narrowphase::kPointFeature, narrowphase::kPointFeature});
+}
+
+/// A point of the mesh and where the shape ends before it along the normal; false if the line
+/// passes the shape, or ends more than the margin behind the point.
+bool TriangleCandidates::add_before(const Vec3& on_mesh, const Vec3& normal) {
+  const Vec3 start =
+      rounded_support(core_, normal) + normal * (core_.bounding_radius + core_.radius);
+  const Vec3 origin = on_mesh + normal * dot(start - on_mesh, normal);
+  const std::optional<narrowphase::CoreRayHit> hit = cast_ray(bare(), origin, -normal);
+  if (!hit) return false;
+  const double depth = dot(origin - normal * hit->distance - on_mesh, normal) + candidates_.margin;
+  if (depth < 0) return false;
+  candidates_.found.push_back({on_mesh + normal * depth, on_mesh, normal, depth,
+                               narrowphase::kPointFeature, narrowphase::kPointFeature});
+  return true;
 }
 
 /// Where the deepest point lies beyond what is touched, as in a valley: the point of the triangle
@@ -272,20 +314,18 @@ void TriangleCandidates::add_beside(const TouchedTriangle& member) {
   candidates_.found.clear();
   const narrowphase::CoreGap shared = narrowphase::nearest(core_, member.triangle);
   for (const Vec3& near : {deepest - out * parting.penetration.depth, core_.at, shared.point_b}) {
-    const Vec3 met = nearest_on_triangle(member.triangle, near);
-    const Vec3 start = deepest + out * (core_.bounding_radius + core_.radius);
-    const Vec3 origin = met + out * dot(start - met, out);
-    const std::optional<narrowphase::CoreRayHit> hit = cast_ray(bare(), origin, -out);
-    if (!hit) continue;
-    const double depth = dot(origin - out * hit->distance - met, out) + candidates_.margin;
-    if (depth < 0) continue;
-    candidates_.found.push_back({met + out * depth, met, out, depth, narrowphase::kPointFeature,
-                                 narrowphase::kPointFeature});
+    if (!add_before(nearest_on_triangle(member.triangle, near), out)) continue;
     return take(face_feature(member.parting.triangle));
   }
   // The line through it leaves the shape beside it: the two graze each other there.
-  candidates_.found.push_back({shared.point_b, shared.point_b, out, 0, narrowphase::kPointFeature,
-                               narrowphase::kPointFeature});
+  if (candidates_.margin > 0) {
+    const narrowphase::CoreGap gap = narrowphase::nearest(bare(), member.triangle);
+    const Vec3 between = unit_or(gap.point_b - gap.point_a, out);
+    add_apart(gap.point_a + between * bare().radius, gap.point_b, out);
+  } else {
+    candidates_.found.push_back({shared.point_b, shared.point_b, out, 0, narrowphase::kPointFeature,
+                                 narrowphase::kPointFeature});
+  }
   take(face_feature(member.parting.triangle));
 }
 
@@ -293,22 +333,21 @@ void TriangleCandidates::add_beside(const TouchedTriangle& member) {
 void TriangleCandidates::add_alone(const TouchedTriangle& member) {
   using enum narrowphase::CoreKind;
   const Core& triangle = member.triangle;
-  Core core = bare();
+  const Core& core = bare();
   const bool has_formula = candidates_.margin == 0 && (core.kind == Box || core.kind == Point) &&
                            !FacingFeatures::is_sliver(triangle);
   Parting parting = has_formula ? part_from_triangle(core, triangle)
                                 : part(core, triangle, narrowphase::nearest(core, triangle));
   work_.penetration_tests += parting.is_asked;
   work_.penetration_failures += parting.is_failed;
-  if (candidates_.margin > 0) grow(core, triangle, candidates_.margin, parting);
+  if (candidates_.margin > 0) sign_depth(core, triangle, parting);
   candidates_.found.clear();
-  add_contact_points(core, triangle, parting, candidates_.found);
+  add_contact_points(core, triangle, parting, candidates_.found, candidates_.margin);
   take(face_feature(member.parting.triangle));
 }
 
 /// Whether a point that is meant to be on the shape's surface is there.
 bool TriangleCandidates::is_on_shape(const Vec3& point) const {
-  if (core_.kind == narrowphase::CoreKind::Point) return true;
   Core core;
   core.at = point;
   const double size = core_.bounding_radius + core_.radius;

@@ -7,6 +7,7 @@
 #include <graze/engine/world/contacts/contact_regions.h>
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -39,7 +40,9 @@ class TriangleCandidates {
   };
   static Scratch& scratch();
 
-  narrowphase::Core bare() const;
+  /// The shape without the margin.
+  const narrowphase::Core& bare() const { return bare_ ? *bare_ : core_; }
+  narrowphase::Parting bare(narrowphase::Parting parting) const;
   bool is_behind(const narrowphase::Core& triangle) const;
   std::uint64_t face_feature(std::uint32_t triangle) const;
   void part_from_slivers();
@@ -49,6 +52,9 @@ class TriangleCandidates {
   void add_member(const TouchedTriangle& member);
   bool add_deepest(const TouchedTriangle& member);
   void add_nearest(const TouchedTriangle& member);
+  bool add_before(const narrowphase::Vec3& on_mesh, const narrowphase::Vec3& normal);
+  void add_apart(const narrowphase::Vec3& on_shape, const narrowphase::Vec3& on_mesh,
+                 const narrowphase::Vec3& normal);
   void add_beside(const TouchedTriangle& member);
   void add_alone(const TouchedTriangle& member);
   void take(std::uint64_t of_mesh);
@@ -57,6 +63,7 @@ class TriangleCandidates {
   bool is_on_shape(const narrowphase::Vec3& point) const;
 
   const narrowphase::Core& core_;
+  std::optional<narrowphase::Core> bare_;  ///< where there is a margin
   ContactCandidates& candidates_;
   FacingFeatures features_;
   MeshNumbers numbers_;

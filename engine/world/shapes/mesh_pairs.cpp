@@ -2,6 +2,7 @@
 #include <graze/engine/world/shapes/mesh_descent.h>
 #include <graze/engine/world/shapes/pair_functions.h>
 #include <graze/engine/world/shapes/placed_core.h>
+#include <graze/narrowphase/convex/gap/closed_gap.h>
 
 #include <algorithm>
 #include <limits>
@@ -32,12 +33,23 @@ namespace {
 
 constexpr double kDoubt = 0x1p-20;
 
+/// Of two that are apart though a search leaves it open: its points are one of each, and the
+/// distance is theirs.
+void measure_apart(const Core& core, const Core& triangle, SetGap& gap) {
+  const narrowphase::CoreGap found = narrowphase::nearest(core, triangle);
+  const Vec3 between = unit_or(found.point_b - found.point_a, found.normal);
+  gap.point_a = found.point_a + between * core.radius;
+  gap.point_b = found.point_b;
+  gap.distance = std::max(gap.distance, found.upper - core.radius);
+}
+
 /// intersect_mesh_core() does not look at a triangle whose box is apart from the set's: what the
 /// gap's tolerance brings together here is apart for the distance, too, by what the boxes prove.
-void keep_apart(SetGap& gap, const MeshDescent& descent, std::uint32_t index) {
+void keep_apart(SetGap& gap, const Core& core, const MeshDescent& descent, std::uint32_t index) {
   if (!descent.is_triangle_apart(index)) return;
   gap.lower = descent.triangle_bound(index);
   gap.distance = std::max(gap.lower, std::numeric_limits<double>::denorm_min());
+  if (gap.status == PairStatus::NotConverged) measure_apart(core, descent.triangle(index), gap);
 }
 
 /// The sphere in the world's frame; nothing of other shapes.
@@ -52,10 +64,11 @@ bool is_in_doubt(const SetGap& gap, const Sphere& ball) {
          gap.distance - gap.lower > kDoubt * gap.distance;
 }
 
-}  // namespace
+/// What a test that is more exact than a search has said.
+enum class ExactAnswer { None, Apart, Touching };
 
-ShapeDistance distance_of_mesh_core(const PlacedShapeView& a, const PlacedShapeView& b,
-                                    Work& work) {
+ShapeDistance distance_after(ExactAnswer answer, const PlacedShapeView& a, const PlacedShapeView& b,
+                             Work& work) {
   const PlacedMeshView mesh{*b.shape.as<Mesh>(), b.pose};
   const Eigen::Vector3d origin = middle_of(a.shape, a.pose);
   const Core core = core_of(a.shape, a.pose, origin);
@@ -72,7 +85,7 @@ ShapeDistance distance_of_mesh_core(const PlacedShapeView& a, const PlacedShapeV
                             ++work.convex_tests;
                             if (ball && is_in_doubt(gap, *ball))
                               gap = gap_of_ball(*ball, descent.placed_triangle(index));
-                            if (gap.distance == 0) keep_apart(gap, descent, index);
+                            if (gap.distance == 0) keep_apart(gap, core, descent, index);
                             lower = std::min(lower, gap.lower);
                             if (gap.status == PairStatus::NotConverged) {
                               ++work.convex_failures;
@@ -82,9 +95,24 @@ ShapeDistance distance_of_mesh_core(const PlacedShapeView& a, const PlacedShapeV
                             if (gap.distance < best.distance || is_tie) best = gap, nearest = index;
                             return bvh::Walk::Continue;
                           });
+  const bool is_open = best.distance == 0 && best.status == PairStatus::NotConverged;
+  if (answer == ExactAnswer::Apart && is_open) measure_apart(core, descent.triangle(nearest), best);
   const Vec3 o = to_vec3(origin);
   return {best.distance,         lower, to_eigen(best.point_a + o), to_eigen(best.point_b + o),
           to_eigen(best.normal), status};
+}
+
+}  // namespace
+
+ShapeDistance distance_of_mesh_core(const PlacedShapeView& a, const PlacedShapeView& b,
+                                    Work& work) {
+  return distance_after(ExactAnswer::None, a, b, work);
+}
+
+ShapeDistance distance_of_mesh_volume(const PlacedShapeView& a, const PlacedShapeView& b,
+                                      bool is_hit, Work& work) {
+  const ExactAnswer answer = is_hit ? ExactAnswer::Touching : ExactAnswer::Apart;
+  return agreeing(distance_after(answer, a, b, work), is_hit);
 }
 
 }  // namespace graze

@@ -43,5 +43,8 @@ ShapeDistance distance_of_mesh_plane(const PlacedShapeView& a, const PlacedShape
                                      Work& work);
 bool intersect_mesh_core(const PlacedShapeView& a, const PlacedShapeView& b, Work& work);
 ShapeDistance distance_of_mesh_core(const PlacedShapeView& a, const PlacedShapeView& b, Work& work);
+/// Of a sphere or a box and a mesh, where the exact test has said whether they touch.
+ShapeDistance distance_of_mesh_volume(const PlacedShapeView& a, const PlacedShapeView& b,
+                                      bool is_hit, Work& work);
 
 }  // namespace graze

@@ -181,7 +181,7 @@ ShapeDistance distance_in_order(const PlacedShapeView& a, const PlacedShapeView&
     case MeshPlane:
       return distance_of_mesh_plane(a, b, work);
     case MeshVolume:
-      return agreeing(distance_of_mesh_core(a, b, work), intersect_mesh_volume(a, b, work));
+      return distance_of_mesh_volume(a, b, intersect_mesh_volume(a, b, work), work);
     case MeshCore:
       return distance_of_mesh_core(a, b, work);
     case Meshes:

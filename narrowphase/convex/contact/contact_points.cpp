@@ -92,7 +92,20 @@ constexpr std::uint32_t kWhole = 0x20000;
 struct Tolerances {
   double touching;
   double coinciding;
+  double margin;
 };
+
+/// As if A were grown by the margin along the normal. Without one not even a sign of nought
+/// changes.
+void grow(ContactPoint& contact, double margin) {
+  if (!(margin > 0)) return;
+  contact.point_a = contact.point_a + contact.normal * margin;
+  contact.depth += margin;
+}
+
+double grown_depth(const Penetration& penetration, double margin) {
+  return margin > 0 ? penetration.depth + margin : penetration.depth;
+}
 
 bool is_beyond_an_edge(const ContactFace& face, const Vec3& point, double by) {
   for (int i = 0; i < face.count && face.count > 2; ++i) {
@@ -133,6 +146,10 @@ void add_clipped(const FaceOf& incident, const FaceOf& reference, const Penetrat
   const CoreKind kind = reference.core.kind;
   const bool has_sharp_corners =
       (kind == CoreKind::Points || kind == CoreKind::Triangle) && is_sharp(sides);
+  const CoreKind own_kind = incident.core.kind;
+  const bool is_needle =
+      has_sharp_corners || is_uneven(incident) || is_uneven(reference) ||
+      ((own_kind == CoreKind::Points || own_kind == CoreKind::Triangle) && is_sharp(incident.face));
   for (int i = 0; i < clipped.count; ++i) {
     const ClippedFace::Corner& corner = clipped.corner[i];
     ContactPoint contact;
@@ -150,13 +167,18 @@ void add_clipped(const FaceOf& incident, const FaceOf& reference, const Penetrat
       met = *on_reference, own = *on_incident;
       contact.depth = dot(met - own, out);
     }
+    if (is_needle && !(lies_on(reference, met, tolerance.touching) &&
+                       lies_on(incident, own, tolerance.touching)))
+      continue;
     contact.point_a = sign > 0 ? met : own;
     contact.point_b = sign > 0 ? own : met;
     if (sides.count == 2 &&
         !move_to_deepest(incident, reference, sign, tolerance.touching, contact))
       continue;
+    grow(contact, tolerance.margin);
     if (contact.depth < -tolerance.touching) continue;
-    contact.depth = std::clamp(contact.depth, 0.0, std::max(penetration.depth, 0.0));
+    const double deepest = grown_depth(penetration, tolerance.margin);
+    contact.depth = std::clamp(contact.depth, 0.0, std::max(deepest, 0.0));
     const std::uint64_t of_incident = feature(incident.face.id, corner.own);
     const std::uint64_t of_reference = feature(sides.id, corner.other != 0 ? corner.other : kWhole);
     contact.feature_a = sign > 0 ? of_reference : of_incident;
@@ -166,7 +188,7 @@ void add_clipped(const FaceOf& incident, const FaceOf& reference, const Penetrat
 }
 
 /// One point of each, where the two meet once B is moved out by the penetration.
-void add_single(const Core& a, const Core& b, const Parting& parting,
+void add_single(const Core& a, const Core& b, const Parting& parting, double margin,
                 std::vector<ContactPoint>& contacts) {
   const Penetration& penetration = parting.penetration;
   const MeetingPoints met = parting.has_witnesses
@@ -174,6 +196,8 @@ void add_single(const Core& a, const Core& b, const Parting& parting,
                                 : meeting_points(a, b, penetration);
   contacts.push_back(
       {met.on_a, met.on_b, penetration.normal, penetration.depth, kPointFeature, kPointFeature});
+  grow(contacts.back(), margin);
+  if (margin > 0) contacts.back().depth = std::max(contacts.back().depth, 0.0);
 }
 
 /// Planes through the edges of a triangle without any area, but for rounding, bound nothing.
@@ -194,13 +218,14 @@ bool has_face(const Core& core) {
 }  // namespace
 
 void add_face_contact_points(const Core& a, const Core& b, const Penetration& penetration,
-                             std::vector<ContactPoint>& contacts) {
+                             std::vector<ContactPoint>& contacts, double margin) {
   if (!has_face(a) || !has_face(b)) return;
   const Vec3& normal = penetration.normal;
   const ContactFace face_a = face_along(a, normal);
   const ContactFace face_b = face_along(b, -normal);
   if (face_a.count == 1 || face_b.count == 1) return;
-  const Tolerances tolerance{kTouching * pair_scale(a, b), kCoinciding * smaller_size(a, b)};
+  const Tolerances tolerance{kTouching * pair_scale(a, b), kCoinciding * smaller_size(a, b),
+                             margin};
   switch (choose(face_a, face_b, a, b, normal)) {
     case Reference::A:
       add_clipped({face_b, b}, {face_a, a}, penetration, 1, tolerance, contacts);
@@ -241,15 +266,15 @@ Extent extent_of(std::span<const ContactPoint> contacts) {
 }  // namespace
 
 void add_contact_points(const Core& a, const Core& b, const Parting& parting,
-                        std::vector<ContactPoint>& contacts) {
+                        std::vector<ContactPoint>& contacts, double margin) {
   const std::size_t before = contacts.size();
-  add_face_contact_points(a, b, parting.penetration, contacts);
+  add_face_contact_points(a, b, parting.penetration, contacts, margin);
   // What the corners of a face leave out, above all of a round one, is the deepest point itself.
   const Extent extent = extent_of(std::span(contacts).subspan(before));
-  const double missed = parting.penetration.depth - extent.deepest;
+  const double missed = grown_depth(parting.penetration, margin) - extent.deepest;
   if (extent.deepest < 0 ||
       missed > std::max(kSameDepth * smaller_size(a, b), kSameDepths * extent.width))
-    add_single(a, b, parting, contacts);
+    add_single(a, b, parting, margin, contacts);
 }
 
 namespace {

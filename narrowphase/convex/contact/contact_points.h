@@ -44,12 +44,16 @@ Parting part_boxes(const BoxAxes& boxes);
 
 /// The points of contact for that penetration, added to `contacts`; one at least. Where faces face
 /// each other along the normal, the one is clipped by the other's sides, else there is one point.
+///
+/// With a margin, metres, the two may be apart by as much along the normal, and the depth that is
+/// given be negative. Then A counts as grown: depths are more by the margin, and points of A are
+/// moved by it along the normal. So what is moved back is on A's own boundary, however that leans.
 void add_contact_points(const Core& a, const Core& b, const Parting& parting,
-                        std::vector<ContactPoint>& contacts);
+                        std::vector<ContactPoint>& contacts, double margin = 0);
 
 /// The same, but only where faces face each other: none are added where none do.
 void add_face_contact_points(const Core& a, const Core& b, const Penetration& penetration,
-                             std::vector<ContactPoint>& contacts);
+                             std::vector<ContactPoint>& contacts, double margin = 0);
 
 /// Leaves at most `most` of the contacts, the deepest first: the deepest, to 1e-5 of their width,
 /// and those that are far from all that are left. Ties, of depths to that and of distances to 1e-4,

@@ -1,5 +1,6 @@
 #include <graze/narrowphase/convex/contact/meeting_points.h>
 #include <graze/narrowphase/convex/core/core_ray.h>
+#include <graze/narrowphase/convex/core/segments.h>
 #include <graze/narrowphase/convex/gap/closed_gap.h>
 
 #include <algorithm>
@@ -7,6 +8,13 @@
 
 namespace graze::narrowphase {
 namespace {
+
+// A set is far larger than another that is less than this share of it. Points that are so near to
+// the surface, as a share of the scale, are on it; and what is further from it than the other share
+// is of another part of it.
+constexpr double kFarLarger = 0x1p-16;
+constexpr double kOnSurface = 0x1p-34;
+constexpr double kNearEnough = 0x1p-30;
 
 /// A share of the scale that is well above the rounding of points and gaps.
 constexpr double kBeyondRounding = 0x1p-40;
@@ -151,6 +159,18 @@ double off_the_way(const MeetingPoints& met, const Penetration& penetration) {
   return length(met.on_a - met.on_b - penetration.normal * penetration.depth);
 }
 
+/// Moves the point of the smaller set along the normal to where its surface is. Beside a partner
+/// that is so much larger a search may end with points that are known to its share of the scale
+/// alone, which is a good deal of the smaller set.
+void put_on_surface(const Core& core, bool is_a, const Vec3& normal, double scale,
+                    MeetingPoints& met) {
+  Vec3& point = is_a ? met.on_a : met.on_b;
+  const std::optional<Vec3> end = end_on_line(core, point, is_a ? normal : -normal);
+  if (!end) return;
+  const double off = length(*end - point);
+  if (off > kOnSurface * scale && off < kNearEnough * scale) point = *end;
+}
+
 }  // namespace
 
 // A clearance that the bounds of a search hardly tell from nothing may end beside where the two
@@ -166,6 +186,8 @@ MeetingPoints meeting_points(const Core& a, const Core& b, const Penetration& pe
     const double its = off_the_way(other, penetration);
     if (its < off) met = other, off = its;
   }
+  if (kFarLarger * pair_scale(a, b) > smaller_size(a, b))
+    put_on_surface(is_a_first ? a : b, is_a_first, penetration.normal, pair_scale(a, b), met);
   return met;
 }
 
@@ -194,6 +216,23 @@ std::optional<Vec3> onto_surface(const FaceOf& of, const Vec3& point, const Vec3
     if (end) return point + out * dot(*end - below, out);
   }
   return std::nullopt;
+}
+
+// By triangles, as the normal of a needle says little about where its far end is.
+bool lies_on(const FaceOf& of, const Vec3& point, double within) {
+  if (is_uneven(of)) return true;
+  const ContactFace& face = of.face;
+  const Vec3* corner = face.corner;
+  if (face.count == 2)
+    return length(nearest_on_segment(corner[0], corner[1], point) - point) <= within;
+  Core triangle;
+  triangle.kind = CoreKind::Triangle;
+  for (int i = 2; i < face.count; ++i) {
+    triangle.corner[0] = corner[0], triangle.corner[1] = corner[i - 1];
+    triangle.corner[2] = corner[i];
+    if (length(nearest_on_triangle(triangle, point) - point) <= within) return true;
+  }
+  return false;
 }
 
 bool move_to_deepest(const FaceOf& incident, const FaceOf& reference, double sign, double touching,

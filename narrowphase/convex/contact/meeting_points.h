@@ -47,6 +47,10 @@ bool is_uneven(const FaceOf& of);
 /// line passes the set, as it may beside an edge of a needle.
 std::optional<Vec3> onto_surface(const FaceOf& of, const Vec3& point, const Vec3& out);
 
+/// Whether a point is on a face's polygon or segment, to `within`, metres. An uneven face's are put
+/// on the surface by onto_surface(): of them this is taken for granted.
+bool lies_on(const FaceOf& of, const Vec3& point, double within);
+
 /// Moves a contact of two round sides, whose lines cross at a small angle, from the line of the
 /// incident one towards that of the reference, whose outward sense along the normal is `sign`: to
 /// where they are deepest in each other, if they are as round as their radii say. What is no

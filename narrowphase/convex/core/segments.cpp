@@ -78,6 +78,41 @@ NearestPoints nearest_of_segments(const Vec3& p_a, const Vec3& q_a, const Vec3& 
   return best;
 }
 
+namespace {
+
+// A triangle is narrow where the square of its height is below this share of that of its length.
+// Weights by products of four lengths are off by some u over that share: above it by 2^-34, mostly.
+constexpr double kNarrow = 0x1p-16;
+
+/// By the square of the product of two of its sides, and their own.
+bool is_narrow(double of_product, double of_b, double of_c) {
+  const double length = std::max(of_b, of_c);
+  return !(of_product > kNarrow * (length * length));
+}
+
+/// Of a narrow triangle the point that is nearest in its inside, if there is one: along the longest
+/// edge to the foot, then across it. Nothing of that is worse known than corners are.
+bool find_inside_narrow(const Vec3* corner, const Vec3& point, Vec3& found) {
+  int first = 0;
+  double square = -1;
+  for (int i = 0; i < 3; ++i) {
+    const Vec3 edge = corner[(i + 1) % 3] - corner[i];
+    if (dot(edge, edge) > square) first = i, square = dot(edge, edge);
+  }
+  const Vec3& p = corner[first];
+  const Vec3 edge = corner[(first + 1) % 3] - p, beside = corner[(first + 2) % 3] - p;
+  const double at = dot(beside, edge) / square, share = dot(point - p, edge) / square;
+  const Vec3 across = beside - edge * at;
+  const double height = dot(across, across);
+  if (!(share > 0 && share < 1) || !(height > 0)) return false;
+  const double up = dot((point - p) - edge * share, across) / height;
+  if (!(up > 0 && up * at < share && up * (1 - at) < 1 - share)) return false;
+  found = p + (edge * share + across * up);
+  return true;
+}
+
+}  // namespace
+
 Vec3 nearest_on_triangle(const Core& triangle, const Vec3& point) {
   const Vec3* c = triangle.corner;
   const Vec3 edge_b = c[1] - c[0], edge_c = c[2] - c[0];
@@ -90,9 +125,11 @@ Vec3 nearest_on_triangle(const Core& triangle, const Vec3& point) {
   const double d3 = dot(ab, bp), d4 = dot(ac, bp), d5 = dot(ab, cp), d6 = dot(ac, cp);
   const double of_c = d1 * d4 - d3 * d2, of_b = d5 * d2 - d1 * d6, of_a = d3 * d6 - d5 * d4;
   const double sum = (of_a + of_b) + of_c;
-  if (of_a > 0 && of_b > 0 && of_c > 0 && sum > 0)
+  const bool has_no_plane = is_narrow(sum, dot(ab, ab), dot(ac, ac));
+  if (!has_no_plane && of_a > 0 && of_b > 0 && of_c > 0)
     return c[0] + (edge_b * (of_b / sum) + edge_c * (of_c / sum));
   Vec3 best;
+  if (has_no_plane && find_inside_narrow(c, point, best)) return best;
   double least = std::numeric_limits<double>::infinity();
   for (int i = 0; i < 3; ++i) {
     const Vec3 found = nearest_on_segment(c[i], c[(i + 1) % 3], point);
@@ -100,6 +137,14 @@ Vec3 nearest_on_triangle(const Core& triangle, const Vec3& point) {
     if (square < least) least = square, best = found;
   }
   return best;
+}
+
+bool is_narrow(const Core& triangle) {
+  const Vec3 edge_b = triangle.corner[1] - triangle.corner[0];
+  const Vec3 edge_c = triangle.corner[2] - triangle.corner[0];
+  const double scale = unit_scale(std::max(largest(edge_b), largest(edge_c)));
+  const Vec3 ab = edge_b * scale, ac = edge_c * scale, product = cross(ab, ac);
+  return is_narrow(dot(product, product), dot(ab, ab), dot(ac, ac));
 }
 
 }  // namespace graze::narrowphase

@@ -23,4 +23,8 @@ NearestPoints nearest_of_segments(const Vec3& p_a, const Vec3& q_a, const Vec3& 
 /// Ericson, "Real-Time Collision Detection" (2005), 5.1.5.
 Vec3 nearest_on_triangle(const Core& triangle, const Vec3& point);
 
+/// Whether a triangle is so narrow that its plane is worse known than its corners: in height about
+/// 2^-8 of its length.
+bool is_narrow(const Core& triangle);
+
 }  // namespace graze::narrowphase

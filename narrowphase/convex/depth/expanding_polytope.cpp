@@ -47,10 +47,12 @@ class Polytope {
       lower_ = bound_of(nearest);
       const Vec3 normal = planes_.normal(nearest);
       const Vec3 corner = look_along(normal);
-      // Bounds that contradict each other are none: rounding has torn the polytope.
-      if (upper_ - lower_ <= tolerance_) return result(lower_ - upper_ <= tolerance_);
-      if (!(dot(normal, corner) - lower_ > noise_)) return result(false);
-      if (!grow(corner)) return result(false);
+      const bool is_known = upper_ - lower_ <= tolerance_;
+      if (is_known || !(dot(normal, corner) - lower_ > noise_) || !grow(corner)) {
+        if (!has_right_planes()) continue;
+        prove();
+        return result(is_known && upper_ - lower_ <= tolerance_);
+      }
     }
   }
 
@@ -88,13 +90,16 @@ class Polytope {
     const bool is_above = dot(p3 - p0, out) > 0;
     for (const Vec3* p : {&p0, is_above ? &p2 : &p1, is_above ? &p1 : &p2, &p3})
       add_corner(*p);
-    return add_face(0, 1, 2) && add_face(0, 3, 1) && add_face(1, 3, 2) && add_face(2, 3, 0);
+    add_face(0, 1, 2);
+    add_face(0, 3, 1);
+    add_face(1, 3, 2);
+    add_face(2, 3, 0);
+    return true;
   }
 
   /// A face that is narrower than rounding has no normal worth asking: it keeps the surface closed
   /// and is never the nearest nor seen. Its neighbours, which share its long edges, stand for it.
-  bool add_face(int i, int j, int k) {
-    if (face_count_ == kMostFaces) return false;
+  void add_face(int i, int j, int k) {
     const Vec3& p = corners_[i];
     const Vec3 u = corners_[j] - p;
     const Vec3 v = corners_[k] - p;
@@ -103,11 +108,10 @@ class Polytope {
     const int face = face_count_++;
     faces_[face] = {{i, j, k}};
     planes_.set(face, {}, std::numeric_limits<double>::infinity());
-    if (!(largest(product) > kNarrowest * noise_ * longest)) return true;
+    if (!(largest(product) > kNarrowest * noise_ * longest)) return;
     const Vec3 normal = unit_or(product, {});
     // The mean of three heights is nearer to the truth than one.
     planes_.set(face, normal, dot(normal, (p + corners_[j] + corners_[k]) * (1.0 / 3)));
-    return true;
   }
 
   int nearest_face() const {
@@ -142,32 +146,94 @@ class Polytope {
     return height - noise_ * (1 + leaning * beyond);
   }
 
-  /// Replaces all faces that see the corner by a fan from their horizon, one closed loop.
+  /// The plane of a narrow face may be off by its normal's rounding over its length, and another
+  /// than the nearest. But the least of what a unit direction makes of three corners is a bound of
+  /// the triangle's distance from the origin whatever the direction is, as no point of it makes
+  /// less, or more than its distance. Planes that promise more than their triangles keep are set
+  /// right; false if there are any that were below the bound.
+  bool has_right_planes() {
+    bool are_right = true;
+    for (int i = 0; i < face_count_ && lower_ >= 0; ++i) {
+      const Vec3 normal = planes_.normal(i);
+      if (!(largest(normal) > 0) || !(least_along(faces_[i], normal) < lower_)) continue;
+      const Vec3 better = without_longest_edge(i);
+      const double height = least_along(faces_[i], better);
+      if (!(planes_.height[i] - height > noise_)) continue;
+      planes_.set(i, better, height);
+      if (height < lower_) are_right = false;
+    }
+    return are_right;
+  }
+
+  /// Leaves of the bound of the nearest plane what holds for all triangles, those without a plane
+  /// among them. A bound above the depth is none: rounding has torn the polytope.
+  void prove() {
+    double least = lower_ + noise_;
+    for (int i = 0; i < face_count_ && lower_ >= 0; ++i) {
+      const double of_plane = least_along(faces_[i], planes_.normal(i));
+      if (of_plane < least) least = std::min(least, std::max(of_plane, along_nearest(i)));
+    }
+    lower_ = std::min(lower_, least - noise_);
+    if (lower_ - upper_ > tolerance_) lower_ = -std::numeric_limits<double>::infinity();
+  }
+
+  double least_along(const Face& face, const Vec3& direction) const {
+    return std::min(dot(corners_[face.corner[0]], direction),
+                    std::min(dot(corners_[face.corner[1]], direction),
+                             dot(corners_[face.corner[2]], direction)));
+  }
+
+  /// The normal of a face without what rounding leaves of it along the longest edge.
+  Vec3 without_longest_edge(int i) const {
+    const int* corner = faces_[i].corner;
+    Vec3 longest;
+    for (int k = 0; k < 3; ++k) {
+      const Vec3 edge = corners_[corner[(k + 1) % 3]] - corners_[corner[k]];
+      if (dot(edge, edge) > dot(longest, longest)) longest = edge;
+    }
+    const Vec3 normal = planes_.normal(i);
+    return unit_or(normal - longest * (dot(normal, longest) / dot(longest, longest)), normal);
+  }
+
+  /// The same bound along the way to the nearest point of a face's triangle.
+  double along_nearest(int i) const {
+    Core triangle;
+    triangle.kind = CoreKind::Triangle;
+    for (int k = 0; k < 3; ++k)
+      triangle.corner[k] = corners_[faces_[i].corner[k]];
+    return least_along(faces_[i], unit_or(nearest_on_triangle(triangle, {0, 0, 0}), {}));
+  }
+
+  /// Replaces all faces that see the corner by a fan from their horizon, one closed loop. False if
+  /// there is none, and all stays as it was.
   bool grow(const Vec3& corner) {
     if (corner_count_ == kMostPolytopeCorners) return false;
     Edge horizon[kMostFaces];
     int edges = 0;
-    int kept = 0;
     double above[kMostFaces];
     for (int i = 0; i < face_count_; ++i)
       above[i] = dot(planes_.normal(i), corner) - planes_.height[i];
+    int seen = 0;
     for (int i = 0; i < face_count_; ++i) {
-      const Face face = faces_[i];
-      if (!(above[i] > noise_)) {
-        if (kept != i) faces_[kept] = face, planes_.copy(i, kept);
-        ++kept;
-        continue;
-      }
+      if (!(above[i] > noise_)) continue;
+      ++seen;
+      const Face& face = faces_[i];
       for (int k = 0; k < 3; ++k) {
         if (!toggle(horizon, edges, {face.corner[k], face.corner[(k + 1) % 3]})) return false;
       }
     }
+    if (edges < 3 || face_count_ - seen + edges > kMostFaces) return false;
+    int kept = 0;
+    for (int i = 0; i < face_count_; ++i) {
+      if (above[i] > noise_) continue;
+      if (kept != i) faces_[kept] = faces_[i], planes_.copy(i, kept);
+      ++kept;
+    }
     face_count_ = kept;
     const int apex = add_corner(corner);
-    for (int i = 0; i < edges; ++i) {
-      if (!add_face(horizon[i].from, horizon[i].to, apex)) return false;
-    }
-    return edges >= 3;
+    for (int i = 0; i < edges; ++i)
+      add_face(horizon[i].from, horizon[i].to, apex);
+    return true;
   }
 
   /// An edge whose other side was seen, too, is none of the horizon.

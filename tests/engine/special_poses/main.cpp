@@ -42,7 +42,9 @@ int hunt(const Draw& draw) {
     std::string law = broken_law(*pair, {}, counts);
     // About 1e-93, 1e-8, 1e8 and 1e93.
     constexpr double kFactors[] = {0x1p-310, 0x1p-27, 0x1p27, 0x1p310};
-    if (law.empty() && counts.pairs % 8 == 0)
+    // A length of every shape must stay one that shapes may have.
+    const bool has_usual_sizes = smaller_size(*pair) >= 1e-3 && scale_of(*pair) <= 1e3;
+    if (law.empty() && counts.pairs % 8 == 0 && has_usual_sizes)
       law = broken_scaling(*pair, kFactors[counts.pairs / 8 % 4]);
     if (counts.unproved > before.unproved) ++open[kinds_of(*pair) + " unproved"];
     if (counts.unconverged > before.unconverged) ++open[kinds_of(*pair) + " open"];

@@ -13,6 +13,7 @@
 #include "tests/engine/special_poses/special_pairs.h"
 #include "tests/engine/world/random_shapes.h"
 #include "tests/engine/world/surface_distance.h"
+#include "tests/shapes/formula_meshes.h"
 #include "tests/shapes/random_meshes.h"
 #include "tests/shapes/shape_kinds.h"
 
@@ -144,6 +145,50 @@ TEST(SpecialPoses, ACornerOnTheAxisOfACapsuleLeavesThroughItsSurface) {
     const Vector3d on_axis(0, 0, n % 4 == 0 ? capsule.half_length : source.uniform(-0.2, 0.2));
     pair.pose_b.translation() =
         pair.pose_a * on_axis - pair.pose_b.linear() * pair.b.as<Mesh>()->vertices()[0];
+    ASSERT_LE(farthest_off(pair), 0x1p-32) << n;
+  }
+}
+
+ConvexHull rod(RandomSource& source) {
+  const double width = std::pow(10.0, source.uniform(-8, -5));
+  std::vector<Vector3d> corners;
+  const int count = 5 + static_cast<int>(source.integer(0, 5));
+  for (int i = 0; i < count; ++i)
+    corners.emplace_back(source.uniform(-width, width), source.uniform(-width, width),
+                         source.uniform(-1, 1));
+  return ConvexHull(corners);
+}
+
+// Seen along a way that leans from its face's normal, the polygon of an uneven face need not be
+// convex: its corners were moved off the edge of the mesh that they were to lie on.
+TEST(SpecialPoses, ContactsOfRodsWithEdgesOfMeshesStandOnBoth) {
+  tests::PairLawCounts counts;
+  RandomSource source(104);
+  for (int n = 0; n < 4000; ++n) {
+    const Vector3d half = source.vector(0.1, 1);
+    PlacedPair pair{rod(source), tests::make_box(half), Pose::Identity(),
+                    tests::random_pose(0, source)};
+    if (n % 2 == 0)
+      pair.pose_b.linear() = tests::right_turn(static_cast<std::size_t>(source.integer(0, 23)));
+    pair.pose_b.translation() = source.vector(-0.2, 0.2) * (n % 3 == 0 ? 0 : 1);
+    ASSERT_EQ(broken_law(pair, {.directions = 100}, counts), "") << n << "\n" << text_of(pair);
+  }
+  EXPECT_GT(counts.hits, 3000u);
+}
+
+// Their triangles are so nearly in one plane that one was taken for the other's continuation, and a
+// point of the plane for one of both.
+TEST(SpecialPoses, ContactsOfThinSolidsStandOnTheTriangleThatIsMet) {
+  RandomSource source(201);
+  for (std::size_t n = 0; n < 6000; ++n) {
+    const double t = std::pow(10.0, source.uniform(-9, -8));
+    const std::vector<Vector3d> corners{{1, t, 1}, {1, -t, -1}, {-1, t, -1}, {-1, -t, 1}};
+    const std::vector<TriangleIndices> triangles{{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}};
+    const ShapeKind kind = n % 2 == 0 ? ShapeKind::Capsule : ShapeKind::Cone;
+    PlacedPair pair{tests::plain_shape(kind, n), Mesh(corners, triangles),
+                    tests::random_pose(0, source), tests::random_pose(0, source)};
+    pair.pose_a.translation().setZero();
+    pair.pose_b.translation() = source.vector(-0.2, 0.2);
     ASSERT_LE(farthest_off(pair), 0x1p-32) << n;
   }
 }

@@ -25,6 +25,8 @@ namespace {
 constexpr double kDepthTolerance = 1e-6;
 constexpr double kBoxEdgeShare = 1 / 0.95;
 constexpr double kContactPoints = 0x1p-32;
+constexpr double kPointRounding = 0x1p-45;
+constexpr double kMeetingPoints = 0x1p-30;
 constexpr double kMeshContactPoints = 1e-9;
 constexpr double kShallow = 0.1;  // of the smaller size: so deep law 15 says the ways of meshes
 
@@ -55,7 +57,7 @@ class Laws {
   Laws(const PlacedPair& pair, const PairLawSettings& settings, PairLawCounts& counts)
       : pair_(pair), settings_(settings), counts_(counts), scale_(scale_of(pair)) {
     const double far = pair.pose_a.translation().norm() + pair.pose_b.translation().norm() + scale_;
-    rounding_ = 1e-14 * far;
+    rounding_ = kPointRounding * far;
     is_hit_ = intersects({pair.a, pair.pose_a}, {pair.b, pair.pose_b}, &test_work_);
     found_ = distance({pair.a, pair.pose_a}, {pair.b, pair.pose_b});
     manifold_ = find_contacts({pair.a, pair.pose_a}, {pair.b, pair.pose_b}, &work_);
@@ -160,6 +162,7 @@ class Laws {
   static double inside_by(const Shape& shape, const Pose& pose, const Shape& mesh,
                           const Pose& mesh_pose) {
     if (mesh.kind() != ShapeKind::Mesh || shape.kind() == ShapeKind::HalfSpace) return -1e300;
+    if (mesh.as<Mesh>()->triangles().size() != 12) return -1e300;
     const Vector3d half = mesh.as<Mesh>()->bounds().max;
     double least = std::numeric_limits<double>::infinity();
     for (int i = 0; i < 6; ++i) {
@@ -274,7 +277,7 @@ class Laws {
     const double of_meeting =
         std::max(0x1p-17 * smaller_size(pair_), has_round ? 0x1p-16 * scale_ : 0);
     const bool has_box = is(ShapeKind::Box);
-    return of_meeting + (has_box ? depth / 19 : 0);
+    return of_meeting + kMeetingPoints * scale_ + (has_box ? depth / 19 : 0);
   }
 
   std::string depths() {

@@ -33,7 +33,8 @@ struct PairLawCounts {
 };
 
 /// The first promise that is broken, with numbers; empty if all are kept. Adds to the counts.
-/// Of any two but half-spaces; a mesh must be one of a box, by make_box().
+/// Of any two but half-spaces; a mesh must be one of a box, by make_box(), or one that the other is
+/// not inside of.
 std::string broken_law(const PlacedPair& pair, const PairLawSettings& settings,
                        PairLawCounts& counts);
 

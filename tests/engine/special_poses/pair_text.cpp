@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cstdint>
 #include <sstream>
 #include <vector>
 
@@ -21,6 +22,16 @@ void add(Numbers& numbers, const Vector3d& v) {
   numbers.insert(numbers.end(), v.data(), v.data() + 3);
 }
 
+/// Of a box, by make_box(), a mesh is told by its half extents.
+bool is_box(const Mesh& mesh) {
+  return mesh.triangles().size() == 12;
+}
+
+std::string word_of(const Shape& shape) {
+  const auto* mesh = shape.as<Mesh>();
+  return mesh != nullptr && !is_box(*mesh) ? "triangles" : name_of(shape.kind());
+}
+
 Numbers numbers_of(const Shape& shape) {
   Numbers all;
   if (const auto* s = shape.as<Sphere>()) add(all, s->centre), all.push_back(s->radius);
@@ -34,7 +45,16 @@ Numbers numbers_of(const Shape& shape) {
     for (std::size_t i = 0; i < s->vertex_count(); ++i)
       add(all, s->vertex(i));
   }
-  if (const auto* s = shape.as<Mesh>()) add(all, s->bounds().max);
+  if (const auto* s = shape.as<Mesh>()) {
+    if (is_box(*s)) {
+      add(all, s->bounds().max);
+    } else {
+      for (const TriangleIndices& triangle : s->triangles()) {
+        for (const std::uint32_t corner : triangle)
+          add(all, s->vertices()[corner]);
+      }
+    }
+  }
   return all;
 }
 
@@ -96,6 +116,15 @@ Shape shape_of(const Line& line) {
   if (is(ShapeKind::Ellipsoid, 6)) return Ellipsoid{vector(0), vector(3)};
   if (is(ShapeKind::HalfSpace, 4)) return HalfSpace{vector(0), n[3]};
   if (is(ShapeKind::Mesh, 3)) return make_box(vector(0));
+  if (line.word == "triangles" && n.size() % 9 == 0) {
+    std::vector<Vector3d> corners;
+    std::vector<TriangleIndices> triangles;
+    for (std::size_t i = 0; i < n.size(); i += 3)
+      corners.push_back(vector(i));
+    for (std::uint32_t i = 0; i < corners.size(); i += 3)
+      triangles.push_back({i, i + 1, i + 2});
+    return Mesh(corners, triangles);
+  }
   if (is(ShapeKind::ConvexHull, n.size()) && n.size() % 3 == 0) {
     std::vector<Vector3d> corners;
     for (std::size_t i = 0; i < n.size(); i += 3)
@@ -117,8 +146,8 @@ Pose pose_of(const std::optional<Line>& line) {
 }  // namespace
 
 std::string text_of(const PlacedPair& pair) {
-  return line_of(name_of(pair.a.kind()), numbers_of(pair.a)) + line_of(pair.pose_a) +
-         line_of(name_of(pair.b.kind()), numbers_of(pair.b)) + line_of(pair.pose_b);
+  return line_of(word_of(pair.a), numbers_of(pair.a)) + line_of(pair.pose_a) +
+         line_of(word_of(pair.b), numbers_of(pair.b)) + line_of(pair.pose_b);
 }
 
 std::optional<PlacedPair> read_pair(std::istream& text) {

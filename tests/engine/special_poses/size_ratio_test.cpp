@@ -6,10 +6,12 @@
 
 #include <cmath>
 #include <cstdint>
+#include <vector>
 
 #include "tests/engine/special_poses/pair_laws.h"
 #include "tests/engine/special_poses/pair_text.h"
 #include "tests/engine/special_poses/special_pairs.h"
+#include "tests/shapes/random_meshes.h"
 #include "tests/shapes/shape_kinds.h"
 
 namespace graze {
@@ -69,6 +71,34 @@ TEST(SpecialPoses, SmallPartnersThatOnlyTouchStandWhereTheyDo) {
     const Shape small = tests::plain_shape(tests::kOwnKinds[n / 7 % tests::kConvexKinds], n / 49);
     return beside(large, small, ratio, source.uniform(-1e-6, 1e-9), source);
   });
+}
+
+// A polytope's narrow faces have planes that rounding tilts, by more than the depth where the large
+// partner's size is in them: such a plane was taken to be as far as it seemed, and a depth that was
+// up to twice the least for proved.
+TEST(SpecialPoses, DepthsBesidePartnersABillionTimesAsLargeAreAsDeepAsTheyAre) {
+  tests::PairLawCounts counts;
+  RandomSource source(103);
+  for (std::size_t n = 0; n < 4000; ++n) {
+    const double size = std::pow(10.0, source.uniform(6, 9));
+    std::vector<Vector3d> corners;
+    for (int i = 0; i < 6 && n % 2 == 1; ++i)
+      corners.emplace_back(source.vector(-1, 1) * size);
+    const double flat = size * std::pow(10.0, source.uniform(-9, 0));
+    if (n % 2 == 0)
+      corners = {{-size, 0, flat}, {size, 0, flat}, {0, -size, -flat}, {0, size, -flat}};
+    PlacedPair pair{ConvexHull(corners),
+                    tests::plain_shape(tests::kOwnKinds[n / 2 % tests::kConvexKinds], n / 14),
+                    tests::random_pose(0, source), tests::random_pose(0, source)};
+    pair.pose_a.translation().setZero();
+    const Vector3d feature =
+        source.integer(0, 1) == 0 ? corners[0] : Vector3d((corners[0] + corners[1]) * 0.5);
+    pair.pose_b.translation() =
+        pair.pose_a * feature + source.vector(-1, 1) * (0.5 * tests::size_about_middle(pair.b));
+    ASSERT_EQ(broken_law(pair, {.directions = 100}, counts), "") << n << "\n" << text_of(pair);
+  }
+  EXPECT_GT(counts.hits, 3000u);
+  EXPECT_LT(counts.unproved, counts.hits / 10);
 }
 
 }  // namespace

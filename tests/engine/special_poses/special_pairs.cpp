@@ -120,7 +120,12 @@ PlacedPair scaled(const PlacedPair& pair, double factor) {
     if (const auto* s = shape.as<Ellipsoid>())
       return Ellipsoid{s->centre * factor, s->semi_axes * factor};
     if (const auto* s = shape.as<HalfSpace>()) return HalfSpace{s->normal, s->offset * factor};
-    if (const auto* s = shape.as<Mesh>()) return make_box(s->bounds().max * factor);
+    if (const auto* s = shape.as<Mesh>()) {
+      std::vector<Vector3d> vertices(s->vertices().begin(), s->vertices().end());
+      for (Vector3d& vertex : vertices)
+        vertex *= factor;
+      return Mesh(vertices, std::vector(s->triangles().begin(), s->triangles().end()));
+    }
     const auto& hull = *shape.as<ConvexHull>();
     std::vector<Vector3d> corners;
     for (std::size_t i = 0; i < hull.vertex_count(); ++i)

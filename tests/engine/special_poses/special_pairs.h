@@ -37,7 +37,7 @@ PlacedPair special_pair(ShapeKind kind_a, ShapeKind kind_b, std::size_t turn, Sp
 /// Of the first so many of kOwnKinds, but never two half-spaces.
 PlacedPair drawn_pair(RandomSource& source, std::size_t kinds = kConvexKinds);
 
-/// The same pair, all lengths times a factor. A mesh is one of a box.
+/// The same pair, all lengths times a factor.
 PlacedPair scaled(const PlacedPair& pair, double factor);
 
 }  // namespace graze::tests

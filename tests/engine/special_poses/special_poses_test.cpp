@@ -250,7 +250,8 @@ TEST(SpecialPoses, PairsThatOnceBrokeAPromiseKeepEveryOne) {
       EXPECT_EQ(broken_scaling(*pair, factor), "") << text_of(*pair);
   }
   EXPECT_GE(counts.pairs, 26u);
-  EXPECT_LE(counts.unconverged, 3u);  // of what is lost in a cone's, a hull's or a box's rounding
+  // Of what is lost in the rounding of a cone, a hull or a box, and of two that their boxes part.
+  EXPECT_LE(counts.unconverged, 9u);
 }
 
 /// One pose's axis along the other's, turned about it, apart by `gap` along a direction across it.

@@ -184,8 +184,6 @@ ContactPoint NearTriangles::point_of(const NearPair& pair, const Vec3& normal) c
 /// it.
 void NearTriangles::add_faces(const NearPair& pair) {
   if (FacingFeatures::is_sliver(pair.of_a) || FacingFeatures::is_sliver(pair.of_b)) return;
-  Core grown = pair.of_a;
-  grown.radius = candidates_.margin;
   for (std::uint32_t region = 0; region < s_.ways.size(); ++region) {
     const RegionWay& way = s_.ways[region];
     if (dot(pair.normal_a, way.normal) < kNearlyFacing ||
@@ -193,9 +191,10 @@ void NearTriangles::add_faces(const NearPair& pair) {
       continue;
     narrowphase::Penetration penetration{};
     penetration.normal = way.normal;
-    penetration.depth = way.depth;
+    penetration.depth = way.depth - candidates_.margin;
     candidates_.found.clear();
-    add_face_contact_points(grown, pair.of_b, penetration, candidates_.found);
+    add_face_contact_points(pair.of_a, pair.of_b, penetration, candidates_.found,
+                            candidates_.margin);
     for (ContactPoint& touch : candidates_.found) {
       touch.depth = std::max(dot(touch.point_a - touch.point_b, touch.normal), 0.0);
       if (touch.depth > way.depth) continue;

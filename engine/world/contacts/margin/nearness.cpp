@@ -81,7 +81,7 @@ void add_nearest_points(const PlacedShapeView& a, const PlacedShapeView& b,
   const ShapeDistance found = is_swapped(a, b) ? distance(b, a, &work) : distance(a, b, &work);
   candidates.origin = found.point_a;
   const Vec3 normal = to_vec3(found.normal);
-  const Vec3 on_b = normal * dot(to_vec3(found.point_b) - to_vec3(found.point_a), normal);
+  const Vec3 on_b = to_vec3(found.point_b) - to_vec3(found.point_a);
   candidates.list.push_back({normal * candidates.margin, on_b, normal,
                              std::clamp(candidates.margin - found.distance, 0.0, candidates.margin),
                              narrowphase::kPointFeature, narrowphase::kPointFeature});
