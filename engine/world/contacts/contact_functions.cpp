@@ -1,5 +1,7 @@
 #include <graze/engine/world/contacts/contact_functions.h>
+#include <graze/engine/world/manifold.h>
 #include <graze/engine/world/shapes/placed_core.h>
+#include <graze/narrowphase/convex/contact/reduction.h>
 #include <graze/narrowphase/convex/core/contact_face.h>
 #include <graze/narrowphase/convex/depth/box_axes.h>
 #include <graze/narrowphase/convex/gap/closed_gap.h>
@@ -47,6 +49,23 @@ void grow(Core& core_a, const Core& core_b, double margin, Parting& parting) {
   penetration.depth = std::max(penetration.depth + margin, 0.0);
   penetration.point_a = penetration.point_a + penetration.normal * margin;
   core_a.radius += margin;
+  parting.margin = margin;
+}
+
+void reduce_from(std::size_t first, const narrowphase::ContactSurfaces& surfaces,
+                 ContactCandidates& candidates) {
+  const auto begin = candidates.list.begin() + static_cast<std::ptrdiff_t>(first);
+  const auto is_extra = [](const narrowphase::ContactPoint& contact) {
+    return contact.feature_a == narrowphase::kDeepestOfFace;
+  };
+  if (candidates.list.size() - first <= Manifold::kMostOfRegion &&
+      std::none_of(begin, candidates.list.end(), is_extra))
+    return;
+  candidates.found.assign(begin, candidates.list.end());
+  reduce(candidates.found,
+         {.most = Manifold::kMostOfRegion, .margin = candidates.margin, .surfaces = &surfaces});
+  candidates.list.resize(first);
+  candidates.list.insert(candidates.list.end(), candidates.found.begin(), candidates.found.end());
 }
 
 void candidates_of_cores(const PlacedShapeView& a, const PlacedShapeView& b,
@@ -62,6 +81,7 @@ void candidates_of_cores(const PlacedShapeView& a, const PlacedShapeView& b,
   work.penetration_failures += parting.is_failed;
   if (candidates.margin > 0) grow(core_a, core_b, candidates.margin, parting);
   add_contact_points(core_a, core_b, parting, candidates.list);
+  reduce_from(0, narrowphase::CoreSurfaces(core_a, core_b), candidates);
 }
 
 // The axes along which they part mostly tell for sure whether they touch.
@@ -77,7 +97,22 @@ void candidates_of_boxes(const PlacedShapeView& a, const PlacedShapeView& b,
   if (verdict == Verdict::Apart) return;
   if (verdict == Verdict::Unsure && !intersect_in_boxes(a, b, work)) return;
   add_contact_points(core_a, core_b, part_boxes(axes), candidates.list);
+  reduce_from(0, narrowphase::CoreSurfaces(core_a, core_b), candidates);
 }
+
+/// Of a convex set whose face faces a plane.
+class OverPlane final : public narrowphase::ContactSurfaces {
+ public:
+  explicit OverPlane(const Core& core) : core_(core) {}
+  bool hold(narrowphase::ContactPoint& contact) const override {
+    if (!move_onto_face(core_, contact.normal, contact.point_a)) return false;
+    contact.depth = std::max(dot(contact.point_a - contact.point_b, contact.normal), contact.depth);
+    return true;
+  }
+
+ private:
+  const Core& core_;
+};
 
 void candidates_with_plane(const PlacedShapeView& a, const PlacedShapeView& b,
                            ContactCandidates& candidates) {
@@ -105,9 +140,13 @@ void candidates_with_plane(const PlacedShapeView& a, const PlacedShapeView& b,
     add(face.corner[i], (static_cast<std::uint64_t>(face.id) << 32) | face.corner_id[i]);
   }
   // What the corners of a face leave out, above all of a round one, is the deepest point itself.
-  constexpr double kSameDepth = 1e-6;
-  if (found < 0 || deepest - found > kSameDepth * (core.bounding_radius + core.radius))
-    add(lowest, narrowphase::kPointFeature);
+  if (found < 0 || found < narrowphase::least_offered(
+                               deepest, {candidates.margin, core.bounding_radius + core.radius}) -
+                               tolerance) {
+    const bool is_beside = found >= 0 && face.count > 2;
+    add(lowest, is_beside ? narrowphase::kDeepestOfFace : narrowphase::kPointFeature);
+  }
+  reduce_from(0, OverPlane(core), candidates);
 }
 
 }  // namespace graze

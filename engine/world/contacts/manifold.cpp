@@ -96,7 +96,8 @@ void write_manifold(ContactCandidates& candidates, bool is_mirrored, Manifold& m
     const auto begin = candidates.list.begin();
     candidates.found.assign(begin + static_cast<std::ptrdiff_t>(region.first),
                             begin + static_cast<std::ptrdiff_t>(region.end));
-    narrowphase::reduce(candidates.found, Manifold::kMostOfRegion);
+    reduce(candidates.found,
+           {.most = Manifold::kMostOfRegion, .margin = candidates.margin, .surfaces = nullptr});
     for (ContactPoint& touch : candidates.found) {
       if (candidates.margin > 0) {
         touch.point_a = touch.point_a - touch.normal * candidates.margin;

@@ -167,10 +167,10 @@ void candidates_of_pieces(const PlacedShapeView& a, const PlacedShapeView& b,
       const Vec3 on_both = to_vec3(point) - origin;
       of_piece.push_back({on_both, on_both, to_vec3(contact.normal), contact.depth, 0, 0});
     }
-    narrowphase::reduce(of_piece, 4);
+    reduce(of_piece, {.most = 4});
     candidates.list.insert(candidates.list.end(), of_piece.begin(), of_piece.end());
   }
-  narrowphase::reduce(candidates.list, 4);
+  reduce(candidates.list, {.most = 4});
   const MeshNumbers of_a = numbers_of(mesh_a.mesh), of_b = numbers_of(mesh_b.mesh);
   for (ContactPoint& touch : candidates.list) {
     const Eigen::Vector3d point = to_eigen(touch.point_a + origin);

@@ -1,20 +1,20 @@
 #include <graze/narrowphase/convex/contact/clip.h>
 #include <graze/narrowphase/convex/contact/contact_points.h>
 #include <graze/narrowphase/convex/contact/meeting_points.h>
+#include <graze/narrowphase/convex/contact/reduction.h>
 
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
 #include <limits>
 #include <optional>
-#include <span>
 
 namespace graze::narrowphase {
 namespace {
 
-// Below this share of the smaller set's size a difference of depth is of no account: far more than
-// EPA's tolerance, far less than anything modelled.
-constexpr double kSameDepth = 1e-6;
+// Below this share of the smaller set's size, or this one of the width of the contact, which is how
+// far from the first of its points any other lies, contacts of faces nearly say how deep the two
+// are: far more than EPA's tolerance, far less than anything modelled.
+constexpr double kSameDepth = 1e-6, kSameDepths = 1e-5;
 
 // Points of a clipped face that are this share of the scale short of touching still touch: what
 // kTouchTolerance of engine/world allows a hit to be.
@@ -29,23 +29,6 @@ constexpr double kFacing = 0.99;
 // Edges of two faces coincide where they are this share of the smaller set's size apart: far more
 // than what jitters in a stack, less than anyone sees of a contact that is moved by so much.
 constexpr double kCoinciding = 0x1p-8;
-
-// Squares of distances count as equal where they differ by no more than this share of them.
-constexpr double kSame = 1e-4;
-
-// Depths are the same to this share of the width of the contact, which is how far from the first
-// of its points any other lies. It is given away twice: where corners of a face stand for the
-// deepest point, and where one corner stands for the deepest. The width w is that of all points
-// that are offered. The first that is kept has one w / 2 from it, which is kept, too; and the
-// deepest, where it takes the place of its nearest, is w / 4 from one of these two. So it is 8e-5
-// of the width of those that are left: find_contacts() promises 1e-4.
-constexpr double kSameDepths = 1e-5;
-
-// Contacts are level where their depths differ by less than this share of their width.
-constexpr double kLevel = 0.01;
-
-// A contact is one of the outermost at this share of the greatest square from the middle.
-constexpr double kOuter = 0.9;
 
 // Segments are one line where the sine between them is below this.
 constexpr double kOneLine = 0.02;
@@ -166,14 +149,38 @@ void add_clipped(const FaceOf& incident, const FaceOf& reference, const Penetrat
 }
 
 /// One point of each, where the two meet once B is moved out by the penetration.
-void add_single(const Core& a, const Core& b, const Parting& parting,
-                std::vector<ContactPoint>& contacts) {
+MeetingPoints meeting_of(const Core& a, const Core& b, const Parting& parting) {
   const Penetration& penetration = parting.penetration;
-  const MeetingPoints met = parting.has_witnesses
-                                ? MeetingPoints{penetration.point_a, penetration.point_b}
-                                : meeting_points(a, b, penetration);
-  contacts.push_back(
-      {met.on_a, met.on_b, penetration.normal, penetration.depth, kPointFeature, kPointFeature});
+  if (parting.has_witnesses) return {penetration.point_a, penetration.point_b};
+  return meeting_points(a, b, penetration);
+}
+
+/// What contacts of faces leave out.
+struct LeftOut {
+  double deepest;  ///< of the contacts, >= 0
+  double enough;   ///< nothing is deeper by more than rounding
+};
+
+/// The deepest point of two polygons, if it is deeper than their contacts. What of the one is
+/// deepest may lie beside the other, and then the two reach past each other by less than they do
+/// along the normal: deepest where they are nearest once they are moved apart.
+void add_deepest_of_faces(const Core& a, const Core& b, const Parting& parting,
+                          const LeftOut& left_out, std::vector<ContactPoint>& contacts) {
+  const Vec3& normal = parting.penetration.normal;
+  const auto depth_at = [&](const MeetingPoints& ends) {
+    return std::min(dot(ends.on_a - ends.on_b, normal), parting.penetration.depth);
+  };
+  const MeetingPoints farthest{rounded_support(a, normal), rounded_support(b, -normal)};
+  std::optional<MeetingPoints> ends = ends_on_line(a, b, normal, farthest);
+  if (!ends || depth_at(*ends) < left_out.enough) {
+    const std::optional<MeetingPoints> met = ends_on_line(a, b, normal, meeting_of(a, b, parting));
+    if (met && !(ends && depth_at(*ends) > depth_at(*met))) ends = met;
+  }
+  if (!ends) return;
+  const double depth = depth_at(*ends);
+  if (depth > left_out.deepest) {
+    contacts.push_back({ends->on_a, ends->on_b, normal, depth, kDeepestOfFace, kDeepestOfFace});
+  }
 }
 
 /// Planes through the edges of a triangle without any area, but for rounding, bound nothing.
@@ -191,15 +198,14 @@ bool has_face(const Core& core) {
   return core.kind != CoreKind::Point && core.kind != CoreKind::Ellipsoid;
 }
 
-}  // namespace
-
-void add_face_contact_points(const Core& a, const Core& b, const Penetration& penetration,
-                             std::vector<ContactPoint>& contacts) {
-  if (!has_face(a) || !has_face(b)) return;
+/// Whether two polygons face each other.
+bool add_of_faces(const Core& a, const Core& b, const Penetration& penetration,
+                  std::vector<ContactPoint>& contacts) {
+  if (!has_face(a) || !has_face(b)) return false;
   const Vec3& normal = penetration.normal;
   const ContactFace face_a = face_along(a, normal);
   const ContactFace face_b = face_along(b, -normal);
-  if (face_a.count == 1 || face_b.count == 1) return;
+  if (face_a.count == 1 || face_b.count == 1) return false;
   const Tolerances tolerance{kTouching * pair_scale(a, b), kCoinciding * smaller_size(a, b)};
   switch (choose(face_a, face_b, a, b, normal)) {
     case Reference::A:
@@ -209,137 +215,38 @@ void add_face_contact_points(const Core& a, const Core& b, const Penetration& pe
       add_clipped({face_a, a}, {face_b, b}, penetration, -1, tolerance, contacts);
       break;
     case Reference::None:
-      break;
+      return false;
   }
-}
-
-namespace {
-
-double square_between(const ContactPoint& s, const ContactPoint& t) {
-  const Vec3 offset = middle_of(s) - middle_of(t);
-  return dot(offset, offset);
-}
-
-/// The least depth and the greatest, and how far from the first contact any other lies.
-struct Extent {
-  double shallowest = std::numeric_limits<double>::infinity();
-  double deepest = -1;
-  double width = 0;
-};
-
-Extent extent_of(std::span<const ContactPoint> contacts) {
-  Extent extent;
-  for (const ContactPoint& contact : contacts) {
-    extent.shallowest = std::min(extent.shallowest, contact.depth);
-    extent.deepest = std::max(extent.deepest, contact.depth);
-    extent.width = std::max(extent.width, square_between(contact, contacts[0]));
-  }
-  extent.width = std::sqrt(extent.width);
-  return extent;
+  return face_a.count > 2 && face_b.count > 2;
 }
 
 }  // namespace
+
+void add_face_contact_points(const Core& a, const Core& b, const Penetration& penetration,
+                             std::vector<ContactPoint>& contacts) {
+  add_of_faces(a, b, penetration, contacts);
+}
 
 void add_contact_points(const Core& a, const Core& b, const Parting& parting,
                         std::vector<ContactPoint>& contacts) {
   const std::size_t before = contacts.size();
-  add_face_contact_points(a, b, parting.penetration, contacts);
+  const bool is_flat = add_of_faces(a, b, parting.penetration, contacts);
+  double deepest = -1, width = 0;
+  for (std::size_t i = before; i < contacts.size(); ++i) {
+    deepest = std::max(deepest, contacts[i].depth);
+    width = std::max(width, length(middle_of(contacts[i]) - middle_of(contacts[before])));
+  }
   // What the corners of a face leave out, above all of a round one, is the deepest point itself.
-  const Extent extent = extent_of(std::span(contacts).subspan(before));
-  const double missed = parting.penetration.depth - extent.deepest;
-  if (extent.deepest < 0 ||
-      missed > std::max(kSameDepth * smaller_size(a, b), kSameDepths * extent.width))
-    add_single(a, b, parting, contacts);
-}
-
-namespace {
-
-bool comes_before(const ContactPoint& s, const ContactPoint& t) {
-  if (s.feature_a != t.feature_a) return s.feature_a < t.feature_a;
-  if (s.feature_b != t.feature_b) return s.feature_b < t.feature_b;
-  return s.depth > t.depth;
-}
-
-using Points = std::vector<ContactPoint>;
-
-/// Moves the contact `next` to the front of those that are not kept yet, which stay in the order of
-/// their features.
-void keep(Points& contacts, std::size_t kept, std::size_t next) {
-  const auto at = [&](std::size_t i) { return contacts.begin() + static_cast<std::ptrdiff_t>(i); };
-  std::rotate(at(kept), at(next), at(next + 1));
-}
-
-/// Keeps, beside the first, whichever contact is farthest from all that are kept, until there are
-/// `most`.
-void keep_farthest(Points& contacts, std::size_t most) {
-  for (std::size_t kept = 1; kept < most; ++kept) {
-    const auto away = [&](std::size_t i) {
-      double least = square_between(contacts[i], contacts[0]);
-      for (std::size_t j = 1; j < kept; ++j)
-        least = std::min(least, square_between(contacts[i], contacts[j]));
-      return least;
-    };
-    std::size_t next = kept;
-    double farthest = away(kept);
-    for (std::size_t i = kept + 1; i < contacts.size(); ++i) {
-      const double square = away(i);
-      if (square > farthest * (1 + kSame)) farthest = square, next = i;
-    }
-    keep(contacts, kept, next);
+  const double depth = parting.penetration.depth, size = smaller_size(a, b);
+  if (deepest >= 0 && depth - deepest <= std::max(kSameDepth * size, kSameDepths * width)) {
+    const double rounding = kTouching * pair_scale(a, b);
+    if (is_flat && deepest < least_offered(depth, {parting.margin, size}) - rounding)
+      add_deepest_of_faces(a, b, parting, {deepest, depth - rounding}, contacts);
+    return;
   }
-}
-
-/// The first of the contacts that are about as far from the middle of all as any is.
-std::size_t outermost(const Points& contacts) {
-  Vec3 middle{0, 0, 0};
-  for (const ContactPoint& contact : contacts)
-    middle = middle + middle_of(contact) * (1.0 / static_cast<double>(contacts.size()));
-  const auto away = [&](const ContactPoint& contact) {
-    const Vec3 offset = middle_of(contact) - middle;
-    return dot(offset, offset);
-  };
-  double farthest = 0;
-  for (const ContactPoint& contact : contacts)
-    farthest = std::max(farthest, away(contact));
-  std::size_t at = 0;
-  while (!(away(contacts[at]) >= kOuter * farthest))
-    ++at;
-  return at;
-}
-
-std::size_t first_so_deep(const Points& contacts, double depth) {
-  std::size_t at = 0;
-  while (contacts[at].depth < depth)
-    ++at;
-  return at;
-}
-
-}  // namespace
-
-// Depths and distances that are nearly equal count as equal, and then the lower feature is taken:
-// otherwise which four of the corners of a round cap are left would change with every rounding.
-// Where all are level one of the outermost is the first to stay, as which is deepest changes with
-// every jitter; and the deepest takes the place of the one next to it, if none is so deep.
-void reduce(Points& contacts, std::size_t most) {
-  std::sort(contacts.begin(), contacts.end(), comes_before);
-  if (contacts.size() > most) {
-    const Extent extent = extent_of(contacts);
-    const double deep_enough = extent.deepest - kSameDepths * extent.width;
-    const bool is_level = extent.deepest - extent.shallowest < kLevel * extent.width;
-    keep(contacts, 0, is_level ? outermost(contacts) : first_so_deep(contacts, deep_enough));
-    keep_farthest(contacts, most);
-    const std::size_t deepest = first_so_deep(contacts, deep_enough);
-    if (deepest >= most) {
-      const auto end = contacts.begin() + static_cast<std::ptrdiff_t>(most);
-      *std::min_element(contacts.begin(), end, [&](const auto& s, const auto& t) {
-        return square_between(s, contacts[deepest]) < square_between(t, contacts[deepest]);
-      }) = contacts[deepest];
-    }
-    contacts.resize(most);
-  }
-  std::sort(contacts.begin(), contacts.end(), [](const ContactPoint& s, const ContactPoint& t) {
-    return s.depth != t.depth ? s.depth > t.depth : comes_before(s, t);
-  });
+  const MeetingPoints met = meeting_of(a, b, parting);
+  contacts.push_back(
+      {met.on_a, met.on_b, parting.penetration.normal, depth, kPointFeature, kPointFeature});
 }
 
 }  // namespace graze::narrowphase

@@ -1,0 +1,269 @@
+#include <graze/narrowphase/convex/contact/meeting_points.h>
+#include <graze/narrowphase/convex/contact/reduction.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace graze::narrowphase {
+namespace {
+
+using Points = std::vector<ContactPoint>;
+
+// Squares of distances count as equal where they differ by no more than this share of them.
+constexpr double kSame = 1e-4;
+
+// Depths are the same to this share of the width of the contact, which is how far from the first
+// of its points any other lies, where a corner of a face may stand for the deepest.
+constexpr double kAsDeep = 1e-5;
+
+// Contacts are level where their depths differ by less than this share of their width.
+constexpr double kLevel = 0.01;
+
+// A contact is one of the outermost at this share of the greatest square from the middle.
+constexpr double kOuter = 0.9;
+
+// The greatest depth may be said to be less by this share of it, of the thousandth that law 15
+// allows and of which the place where two round faces are deepest takes up to a fifth; and by this
+// share of the size, which is more where stacks rest. The less contacts have to move the sooner
+// they do.
+constexpr double kLacking = 7e-4, kLackingOfSize = 2e-6;
+
+// What depths of faces that only touch differ by, as a share of the width, is rounding.
+constexpr double kRoundingOfDepths = 0x1p-34;
+
+// A point is on the plane of a face to this share of the size.
+constexpr double kOnFace = 0x1p-36;
+
+// So many ways are tried before a contact jumps: mostly the first is on the surfaces.
+constexpr int kMostWays = 8;
+
+bool is_goal(const ContactPoint& contact) {
+  return contact.feature_a == kDeepestOfFace;
+}
+
+/// Whether its points are not along the normal, by so much: then it is a contact of its own.
+bool is_aside(const ContactPoint& contact, double within) {
+  const Vec3 way = contact.point_a - contact.point_b;
+  return length(way - contact.normal * contact.depth) > within;
+}
+
+bool comes_before(const ContactPoint& s, const ContactPoint& t) {
+  if (is_goal(s) != is_goal(t)) return is_goal(t);
+  if (s.feature_a != t.feature_a) return s.feature_a < t.feature_a;
+  if (s.feature_b != t.feature_b) return s.feature_b < t.feature_b;
+  return s.depth > t.depth;
+}
+
+double square_between(const ContactPoint& s, const ContactPoint& t) {
+  const Vec3 offset = middle_of(s) - middle_of(t);
+  return dot(offset, offset);
+}
+
+/// The least depth and the greatest, and how far from the first contact any other lies.
+struct Extent {
+  double shallowest = std::numeric_limits<double>::infinity();
+  double deepest = -1;
+  double width = 0;
+};
+
+Extent extent_of(const Points& contacts) {
+  Extent extent;
+  for (const ContactPoint& contact : contacts) {
+    extent.shallowest = std::min(extent.shallowest, contact.depth);
+    extent.deepest = std::max(extent.deepest, contact.depth);
+    extent.width = std::max(extent.width, square_between(contact, contacts[0]));
+  }
+  extent.width = std::sqrt(extent.width);
+  return extent;
+}
+
+/// Moves the contact `next` to the front of those that are not kept yet, which stay in the order of
+/// their features.
+void keep(Points& contacts, std::size_t kept, std::size_t next) {
+  const auto at = [&](std::size_t i) { return contacts.begin() + static_cast<std::ptrdiff_t>(i); };
+  std::rotate(at(kept), at(next), at(next + 1));
+}
+
+/// Keeps, beside the first, whichever of those offered is farthest from all that are kept, until
+/// there are `most`.
+void keep_farthest(Points& contacts, std::size_t offered, std::size_t most) {
+  for (std::size_t kept = 1; kept < most; ++kept) {
+    const auto away = [&](std::size_t i) {
+      double least = square_between(contacts[i], contacts[0]);
+      for (std::size_t j = 1; j < kept; ++j)
+        least = std::min(least, square_between(contacts[i], contacts[j]));
+      return least;
+    };
+    std::size_t next = kept;
+    double farthest = away(kept);
+    for (std::size_t i = kept + 1; i < offered; ++i) {
+      const double square = away(i);
+      if (square > farthest * (1 + kSame)) farthest = square, next = i;
+    }
+    keep(contacts, kept, next);
+  }
+}
+
+/// The first of the contacts offered that are about as far from the middle of these as any is.
+std::size_t outermost(const Points& contacts, std::size_t offered) {
+  Vec3 middle{0, 0, 0};
+  for (std::size_t i = 0; i < offered; ++i)
+    middle = middle + middle_of(contacts[i]) * (1.0 / static_cast<double>(offered));
+  const auto away = [&](std::size_t i) {
+    const Vec3 offset = middle_of(contacts[i]) - middle;
+    return dot(offset, offset);
+  };
+  double farthest = 0;
+  for (std::size_t i = 0; i < offered; ++i)
+    farthest = std::max(farthest, away(i));
+  std::size_t at = 0;
+  while (!(away(at) >= kOuter * farthest))
+    ++at;
+  return at;
+}
+
+std::size_t first_so_deep(const Points& contacts, double depth) {
+  std::size_t at = 0;
+  while (contacts[at].depth < depth)
+    ++at;
+  return at;
+}
+
+/// A way from a kept contact to where another is deep enough.
+struct Way {
+  std::size_t from;
+  std::size_t to;
+  double share;   ///< of the way to the other contact
+  double square;  ///< of its length
+};
+
+/// What ways may lead to.
+struct Goals {
+  double depth;   ///< so deep, metres
+  double within;  ///< points are along the normal to so much
+};
+
+/// The shortest one that is longer than that.
+std::optional<Way> next_way(const Points& contacts, std::size_t kept, const Goals& goals,
+                            double longer) {
+  std::optional<Way> best;
+  for (std::size_t i = 0; i < kept; ++i) {
+    for (std::size_t j = kept; j < contacts.size(); ++j) {
+      if (contacts[j].depth < goals.depth || is_aside(contacts[j], goals.within)) continue;
+      const double share =
+          (goals.depth - contacts[i].depth) / (contacts[j].depth - contacts[i].depth);
+      const double square = share * share * square_between(contacts[i], contacts[j]);
+      if (square > longer && (!best || square * (1 + kSame) < best->square))
+        best = Way{i, j, share, square};
+    }
+  }
+  return best;
+}
+
+bool follow(const Way& way, const ContactSurfaces& surfaces, Points& contacts) {
+  const ContactPoint& goal = contacts[way.to];
+  ContactPoint moved = contacts[way.from];
+  moved.point_a = moved.point_a + (goal.point_a - moved.point_a) * way.share;
+  moved.point_b = moved.point_b + (goal.point_b - moved.point_b) * way.share;
+  moved.depth += (goal.depth - moved.depth) * way.share;
+  if (!surfaces.hold(moved)) return false;
+  contacts[way.from] = moved;
+  return true;
+}
+
+/// Makes one of those that are kept as deep as the deepest of all. With features of its own a
+/// deeper one in its place would be another contact with every jitter.
+void deepen(Points& contacts, std::size_t kept, const Extent& extent, const Reduction& reduction) {
+  const auto has = [&](double depth) {
+    for (std::size_t i = 0; i < kept; ++i)
+      if (contacts[i].depth >= depth) return true;
+    return false;
+  };
+  const double within = kRoundingOfDepths * extent.width;
+  if (reduction.surfaces == nullptr) {
+    if (has(extent.deepest - kAsDeep * extent.width)) return;
+  } else {
+    const double depth =
+        std::min(least_of_deepest(extent.deepest, {reduction.margin, extent.width}),
+                 extent.deepest - within);
+    if (has(depth)) return;
+    double longer = -1;
+    for (int i = 0; i < kMostWays; ++i) {
+      const std::optional<Way> way = next_way(contacts, kept, {depth, within}, longer);
+      if (!way) break;
+      if (follow(*way, *reduction.surfaces, contacts)) return;
+      longer = way->square;
+    }
+  }
+  const ContactPoint& deepest = contacts[first_so_deep(contacts, extent.deepest)];
+  const auto end = contacts.begin() + static_cast<std::ptrdiff_t>(kept);
+  ContactPoint& nearest =
+      *std::min_element(contacts.begin(), end, [&](const auto& s, const auto& t) {
+        return square_between(s, deepest) < square_between(t, deepest);
+      });
+  ContactPoint taken = deepest;
+  if (!is_aside(deepest, within))
+    taken.feature_a = nearest.feature_a, taken.feature_b = nearest.feature_b;
+  nearest = taken;
+}
+
+}  // namespace
+
+double least_of_deepest(double depth, const DepthScale& scale) {
+  return depth - std::min(kLacking * std::abs(depth - scale.margin), kLackingOfSize * scale.size);
+}
+
+double least_offered(double depth, const DepthScale& scale) {
+  return depth - 0.25 * (depth - least_of_deepest(depth, scale));
+}
+
+bool move_onto_face(const Core& core, const Vec3& out, Vec3& point) {
+  const ContactFace face = face_along(core, out);
+  if (face.count == 1) return false;
+  if (!is_uneven({face, core})) {
+    const double size = core.bounding_radius + core.radius;
+    return std::abs(dot(face.normal, point - face.corner[0])) <= kOnFace * size;
+  }
+  const std::optional<Vec3> on_surface = onto_surface({face, core}, point, out);
+  if (on_surface) point = *on_surface;
+  return on_surface.has_value();
+}
+
+bool CoreSurfaces::hold(ContactPoint& contact) const {
+  const Vec3& normal = contact.normal;
+  if (!move_onto_face(a_, normal, contact.point_a) || !move_onto_face(b_, -normal, contact.point_b))
+    return false;
+  contact.depth = std::max(dot(contact.point_a - contact.point_b, normal), contact.depth);
+  return true;
+}
+
+void reduce(Points& contacts, const Reduction& reduction) {
+  std::sort(contacts.begin(), contacts.end(), comes_before);
+  const std::size_t most = reduction.most;
+  const bool has_goal =
+      reduction.surfaces != nullptr && !contacts.empty() && is_goal(contacts.back());
+  if (contacts.size() > most || has_goal) {
+    const Extent extent = extent_of(contacts);
+    const bool is_level = extent.deepest - extent.shallowest < kLevel * extent.width;
+    std::size_t corners = contacts.size();
+    while (has_goal && corners > 0 && is_goal(contacts[corners - 1]))
+      --corners;
+    const std::size_t offered = is_level && corners > 2 ? corners : contacts.size();
+    if (offered > most) {
+      const double deep_enough = extent.deepest - kAsDeep * extent.width;
+      keep(contacts, 0,
+           is_level ? outermost(contacts, offered) : first_so_deep(contacts, deep_enough));
+      keep_farthest(contacts, offered, most);
+    }
+    const std::size_t kept = std::min(offered, most);
+    if (kept < contacts.size()) deepen(contacts, kept, extent, reduction);
+    contacts.resize(kept);
+  }
+  std::sort(contacts.begin(), contacts.end(), [](const ContactPoint& s, const ContactPoint& t) {
+    return s.depth != t.depth ? s.depth > t.depth : comes_before(s, t);
+  });
+}
+
+}  // namespace graze::narrowphase
