@@ -4,6 +4,7 @@
 #include <graze/engine/world/shapes/pair_input.h>
 #include <graze/engine/world/shapes/placed_core.h>
 #include <graze/narrowphase/convex/contact/contact_points.h>
+#include <graze/narrowphase/convex/contact/deepest_of_faces.h>
 #include <graze/narrowphase/convex/core/contact_face.h>
 #include <graze/narrowphase/convex/core/core_ray.h>
 #include <graze/narrowphase/convex/core/segments.h>
@@ -24,9 +25,6 @@ namespace {
 // Of points that belong together the one is the other moved along the way out, to this share of the
 // shape's size.
 constexpr double kAlong = 0x1p-20;
-
-// Of a region of more triangles none is looked at for where a round face is deepest.
-constexpr std::size_t kMostOverRim = 32;
 
 // A depth that lacks less than this share of the shape's size is the greatest.
 constexpr double kSameDepth = 1e-6;
@@ -145,25 +143,29 @@ bool TriangleCandidates::add_deepest(const TouchedTriangle& member, std::uint64_
 }
 
 /// Of a round face that ends over a rim of the mesh: where it is deepest over the triangles of a
-/// region, if that is deeper than its corners. It is about where the shape, led out, comes nearest.
+/// region, if that is deeper than its corners.
 void TriangleCandidates::add_over_rim(std::span<const TouchedTriangle> members, double deepest) {
   using enum narrowphase::CoreKind;
-  if ((core_.kind != Cylinder && core_.kind != Cone) || members.size() > kMostOverRim) return;
+  if (core_.kind != Cylinder && core_.kind != Cone) return;
   std::optional<ContactPoint> best;
   for (const TouchedTriangle& member : members) {
     if (member.parting.feature != LeftFeature::Face) continue;
-    const Parting parting = parting_of(member);
-    const Vec3& out = parting.penetration.normal;
-    if (face_along(core_, out).count <= 2) return;
-    Core moved = core_;
-    moved.at = moved.at - out * (parting.penetration.depth + kAlong * core_.bounding_radius);
-    const Vec3 met = narrowphase::nearest(moved, member.triangle).point_b;
-    const std::optional<double> depth = depth_at(met, out);
-    if (!depth || !(*depth > deepest)) continue;
-    deepest = *depth;
-    best = ContactPoint{met + out * deepest,       met, out, deepest, narrowphase::kDeepestOfFace,
-                        narrowphase::kPointFeature};
-    best->feature_b |= face_feature(member.parting.triangle);
+    const Vec3 out = -member.parting.exit.direction;
+    const narrowphase::ContactFace face = face_along(core_, out);
+    if (face.count <= 2) return;
+    const narrowphase::ContactFace below = face_along(member.triangle, -out);
+    const std::optional<narrowphase::MeetingPoints> ends =
+        deepest_of_faces({face, core_}, {below, member.triangle}, out);
+    if (!ends) continue;
+    const double depth = dot(ends->on_a - ends->on_b, out);
+    if (!(depth > deepest)) continue;
+    deepest = depth;
+    best = ContactPoint{ends->on_a,
+                        ends->on_b,
+                        out,
+                        depth,
+                        narrowphase::kDeepestOfFace,
+                        narrowphase::kPointFeature | face_feature(member.parting.triangle)};
   }
   if (best) candidates_.list.push_back(*best);
 }

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace graze {
 
@@ -61,11 +62,10 @@ void reduce_from(std::size_t first, const narrowphase::ContactSurfaces& surfaces
   if (candidates.list.size() - first <= Manifold::kMostOfRegion &&
       std::none_of(begin, candidates.list.end(), is_extra))
     return;
-  candidates.found.assign(begin, candidates.list.end());
-  reduce(candidates.found,
-         {.most = Manifold::kMostOfRegion, .margin = candidates.margin, .surfaces = &surfaces});
-  candidates.list.resize(first);
-  candidates.list.insert(candidates.list.end(), candidates.found.begin(), candidates.found.end());
+  const std::size_t kept = narrowphase::reduce(
+      std::span(candidates.list).subspan(first),
+      {.most = Manifold::kMostOfRegion, .margin = candidates.margin, .surfaces = &surfaces});
+  candidates.list.resize(first + kept);
 }
 
 void candidates_of_cores(const PlacedShapeView& a, const PlacedShapeView& b,

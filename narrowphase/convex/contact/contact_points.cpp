@@ -1,5 +1,6 @@
 #include <graze/narrowphase/convex/contact/clip.h>
 #include <graze/narrowphase/convex/contact/contact_points.h>
+#include <graze/narrowphase/convex/contact/deepest_of_faces.h>
 #include <graze/narrowphase/convex/contact/meeting_points.h>
 #include <graze/narrowphase/convex/contact/reduction.h>
 
@@ -104,10 +105,15 @@ bool move_within(const ContactFace& incident, const ContactFace& reference, cons
   return !is_beyond_an_edge(incident, own, touching);
 }
 
+/// Whether polygons of such a set stand for discs.
+bool is_round(CoreKind kind) {
+  return kind == CoreKind::Cylinder || kind == CoreKind::Cone;
+}
+
 /// The clipped corners of the incident face that are behind the reference's, whose outward sense
 /// along the normal is `sign`: 1 if it is A's. What is clipped along the normal lies, where that
-/// leads, in both faces.
-void add_clipped(const FaceOf& incident, const FaceOf& reference, const Penetration& penetration,
+/// leads, in both faces. Whether these are all the corners of what the two have in common.
+bool add_clipped(const FaceOf& incident, const FaceOf& reference, const Penetration& penetration,
                  double sign, const Tolerances& tolerance, std::vector<ContactPoint>& contacts) {
   const ContactFace& sides = reference.face;
   const Vec3 out = penetration.normal * sign;
@@ -146,7 +152,16 @@ void add_clipped(const FaceOf& incident, const FaceOf& reference, const Penetrat
     contact.feature_b = sign > 0 ? of_incident : of_reference;
     contacts.push_back(contact);
   }
+  return !(clipped.has_laid_edges || has_sharp_corners || is_uneven(reference) ||
+           is_uneven(incident) || is_round(kind) || is_round(incident.core.kind));
 }
+
+/// Two sets, and the parts of them that face each other along a contact's normal.
+struct FacePair {
+  const Core& a;
+  const Core& b;
+  ContactFace of_a, of_b;
+};
 
 /// One point of each, where the two meet once B is moved out by the penetration.
 MeetingPoints meeting_of(const Core& a, const Core& b, const Parting& parting) {
@@ -155,32 +170,59 @@ MeetingPoints meeting_of(const Core& a, const Core& b, const Parting& parting) {
   return meeting_points(a, b, penetration);
 }
 
+/// What contacts of faces tell of what two sets have in common.
+enum class Told {
+  Something,  ///< as of edges, or nothing
+  OfPolygons,
+  AllOfPolygons
+};
+
 /// What contacts of faces leave out.
 struct LeftOut {
   double deepest;  ///< of the contacts, >= 0
   double enough;   ///< nothing is deeper by more than rounding
+  Told told;       ///< by them
 };
 
-/// The deepest point of two polygons, if it is deeper than their contacts. What of the one is
-/// deepest may lie beside the other, and then the two reach past each other by less than they do
-/// along the normal: deepest where they are nearest once they are moved apart.
-void add_deepest_of_faces(const Core& a, const Core& b, const Parting& parting,
-                          const LeftOut& left_out, std::vector<ContactPoint>& contacts) {
+double depth_between(const MeetingPoints& ends, const Vec3& normal) {
+  return dot(ends.on_a - ends.on_b, normal);
+}
+
+std::optional<MeetingPoints> deepest_of(const FacePair& faces, const Vec3& normal) {
+  return deepest_of_faces({faces.of_a, faces.a}, {faces.of_b, faces.b}, normal);
+}
+
+/// The deepest point of two polygons. What of the one is deepest may lie beside the other, and then
+/// the two reach past each other by less than they do along the normal: deepest where they are
+/// nearest once they are moved apart. Nothing if no point is deeper than the contacts `told`.
+std::optional<MeetingPoints> deepest_ends(const FacePair& faces, const Parting& parting,
+                                          double enough, Told told) {
+  const auto& [a, b, face_a, face_b] = faces;
   const Vec3& normal = parting.penetration.normal;
-  const auto depth_at = [&](const MeetingPoints& ends) {
-    return std::min(dot(ends.on_a - ends.on_b, normal), parting.penetration.depth);
+  const bool are_sure = are_deepest({face_a, a}, {face_b, b}, normal);
+  if (are_sure && told == Told::AllOfPolygons) return std::nullopt;
+  std::optional<MeetingPoints> best = deepest_of(faces, normal);
+  if (best && are_sure) return best;
+  const auto is_enough = [&] { return best && depth_between(*best, normal) >= enough; };
+  const auto offer = [&](const MeetingPoints& met) {
+    const std::optional<MeetingPoints> ends = ends_on_line(a, b, normal, met);
+    if (ends && !(best && depth_between(*best, normal) > depth_between(*ends, normal))) best = ends;
   };
-  const MeetingPoints farthest{rounded_support(a, normal), rounded_support(b, -normal)};
-  std::optional<MeetingPoints> ends = ends_on_line(a, b, normal, farthest);
-  if (!ends || depth_at(*ends) < left_out.enough) {
-    const std::optional<MeetingPoints> met = ends_on_line(a, b, normal, meeting_of(a, b, parting));
-    if (met && !(ends && depth_at(*ends) > depth_at(*met))) ends = met;
-  }
+  if (!is_enough()) offer({rounded_support(a, normal), rounded_support(b, -normal)});
+  if (!is_enough()) offer(meeting_of(a, b, parting));
+  return best;
+}
+
+/// Adds it if it is deeper than their contacts.
+void add_deepest_of_faces(const FacePair& faces, const Parting& parting, const LeftOut& left_out,
+                          std::vector<ContactPoint>& contacts) {
+  const std::optional<MeetingPoints> ends =
+      deepest_ends(faces, parting, left_out.enough, left_out.told);
   if (!ends) return;
-  const double depth = depth_at(*ends);
-  if (depth > left_out.deepest) {
+  const Vec3& normal = parting.penetration.normal;
+  const double depth = std::min(depth_between(*ends, normal), parting.penetration.depth);
+  if (depth > left_out.deepest)
     contacts.push_back({ends->on_a, ends->on_b, normal, depth, kDeepestOfFace, kDeepestOfFace});
-  }
 }
 
 /// Planes through the edges of a triangle without any area, but for rounding, bound nothing.
@@ -198,55 +240,61 @@ bool has_face(const Core& core) {
   return core.kind != CoreKind::Point && core.kind != CoreKind::Ellipsoid;
 }
 
-/// Whether two polygons face each other.
-bool add_of_faces(const Core& a, const Core& b, const Penetration& penetration,
+Told add_of_faces(const FacePair& faces, const Penetration& penetration,
                   std::vector<ContactPoint>& contacts) {
-  if (!has_face(a) || !has_face(b)) return false;
-  const Vec3& normal = penetration.normal;
-  const ContactFace face_a = face_along(a, normal);
-  const ContactFace face_b = face_along(b, -normal);
-  if (face_a.count == 1 || face_b.count == 1) return false;
+  const auto& [a, b, face_a, face_b] = faces;
+  if (face_a.count <= 1 || face_b.count <= 1) return Told::Something;
   const Tolerances tolerance{kTouching * pair_scale(a, b), kCoinciding * smaller_size(a, b)};
-  switch (choose(face_a, face_b, a, b, normal)) {
-    case Reference::A:
-      add_clipped({face_b, b}, {face_a, a}, penetration, 1, tolerance, contacts);
-      break;
-    case Reference::B:
-      add_clipped({face_a, a}, {face_b, b}, penetration, -1, tolerance, contacts);
-      break;
-    case Reference::None:
-      return false;
-  }
-  return face_a.count > 2 && face_b.count > 2;
+  const Reference reference = choose(face_a, face_b, a, b, penetration.normal);
+  if (reference == Reference::None) return Told::Something;
+  const bool are_all =
+      reference == Reference::A
+          ? add_clipped({face_b, b}, {face_a, a}, penetration, 1, tolerance, contacts)
+          : add_clipped({face_a, a}, {face_b, b}, penetration, -1, tolerance, contacts);
+  if (face_a.count <= 2 || face_b.count <= 2) return Told::Something;
+  return are_all ? Told::AllOfPolygons : Told::OfPolygons;
+}
+
+/// Nothing faces anything where one of them has no face at all.
+FacePair faces_of(const Core& a, const Core& b, const Vec3& normal) {
+  if (!has_face(a) || !has_face(b)) return {a, b, {}, {}};
+  return {a, b, face_along(a, normal), face_along(b, -normal)};
 }
 
 }  // namespace
 
 void add_face_contact_points(const Core& a, const Core& b, const Penetration& penetration,
                              std::vector<ContactPoint>& contacts) {
-  add_of_faces(a, b, penetration, contacts);
+  add_of_faces(faces_of(a, b, penetration.normal), penetration, contacts);
 }
 
 void add_contact_points(const Core& a, const Core& b, const Parting& parting,
                         std::vector<ContactPoint>& contacts) {
   const std::size_t before = contacts.size();
-  const bool is_flat = add_of_faces(a, b, parting.penetration, contacts);
-  double deepest = -1, width = 0;
+  const Vec3& normal = parting.penetration.normal;
+  const FacePair faces = faces_of(a, b, normal);
+  const Told told = add_of_faces(faces, parting.penetration, contacts);
+  const bool is_flat = told != Told::Something;
+  double deepest = -1, square = 0;
   for (std::size_t i = before; i < contacts.size(); ++i) {
     deepest = std::max(deepest, contacts[i].depth);
-    width = std::max(width, length(middle_of(contacts[i]) - middle_of(contacts[before])));
+    const Vec3 across = middle_of(contacts[i]) - middle_of(contacts[before]);
+    square = std::max(square, dot(across, across));
   }
   // What the corners of a face leave out, above all of a round one, is the deepest point itself.
   const double depth = parting.penetration.depth, size = smaller_size(a, b);
-  if (deepest >= 0 && depth - deepest <= std::max(kSameDepth * size, kSameDepths * width)) {
-    const double rounding = kTouching * pair_scale(a, b);
-    if (is_flat && deepest < least_offered(depth, {parting.margin, size}) - rounding)
-      add_deepest_of_faces(a, b, parting, {deepest, depth - rounding}, contacts);
+  const auto enough = [&] { return depth - kTouching * pair_scale(a, b); };
+  if (deepest >= 0 &&
+      depth - deepest <= std::max(kSameDepth * size, kSameDepths * std::sqrt(square))) {
+    const double least = least_offered(depth, {parting.margin, size});
+    if (is_flat && deepest < least && deepest < enough() - (depth - least))
+      add_deepest_of_faces(faces, parting, {deepest, enough(), told}, contacts);
     return;
   }
-  const MeetingPoints met = meeting_of(a, b, parting);
-  contacts.push_back(
-      {met.on_a, met.on_b, parting.penetration.normal, depth, kPointFeature, kPointFeature});
+  const std::optional<MeetingPoints> of_faces = is_flat ? deepest_of(faces, normal) : std::nullopt;
+  const bool is_there = of_faces && depth_between(*of_faces, normal) >= enough();
+  const MeetingPoints met = is_there ? *of_faces : meeting_of(a, b, parting);
+  contacts.push_back({met.on_a, met.on_b, normal, depth, kPointFeature, kPointFeature});
 }
 
 }  // namespace graze::narrowphase

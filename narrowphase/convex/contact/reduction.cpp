@@ -5,11 +5,11 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <span>
+#include <vector>
 
 namespace graze::narrowphase {
 namespace {
-
-using Points = std::vector<ContactPoint>;
 
 // Squares of distances count as equal where they differ by no more than this share of them.
 constexpr double kSame = 1e-4;
@@ -45,8 +45,8 @@ bool is_goal(const ContactPoint& contact) {
 
 /// Whether its points are not along the normal, by so much: then it is a contact of its own.
 bool is_aside(const ContactPoint& contact, double within) {
-  const Vec3 way = contact.point_a - contact.point_b;
-  return length(way - contact.normal * contact.depth) > within;
+  const Vec3 off = contact.point_a - contact.point_b - contact.normal * contact.depth;
+  return dot(off, off) > within * within;
 }
 
 bool comes_before(const ContactPoint& s, const ContactPoint& t) {
@@ -56,10 +56,76 @@ bool comes_before(const ContactPoint& s, const ContactPoint& t) {
   return s.depth > t.depth;
 }
 
-double square_between(const ContactPoint& s, const ContactPoint& t) {
-  const Vec3 offset = middle_of(s) - middle_of(t);
-  return dot(offset, offset);
+bool is_before_in_depth(const ContactPoint& s, const ContactPoint& t) {
+  return s.depth != t.depth ? s.depth > t.depth : comes_before(s, t);
 }
+
+void sort_by_depth(std::span<ContactPoint> contacts) {
+  if (std::is_sorted(contacts.begin(), contacts.end(), is_before_in_depth)) return;
+  std::sort(contacts.begin(), contacts.end(), is_before_in_depth);
+}
+
+/// One of the contacts that are offered.
+struct Offer {
+  std::size_t at;  ///< its place among all of them
+  Vec3 middle;
+  double away;  ///< the square of how far from all that are kept, or from the first
+};
+
+/// The contacts that are offered, in an order that changes without any of them being moved.
+class Offered {
+ public:
+  explicit Offered(std::span<ContactPoint> contacts) : contacts_(contacts), offers_(scratch()) {
+    offers_.clear();
+    for (std::size_t i = 0; i < contacts.size(); ++i)
+      offers_.push_back({i, middle_of(contacts[i]), 0});
+    std::sort(offers_.begin(), offers_.end(), [&](const Offer& s, const Offer& t) {
+      const ContactPoint &left = contacts[s.at], &right = contacts[t.at];
+      if (comes_before(left, right)) return true;
+      return !comes_before(right, left) && s.at < t.at;
+    });
+  }
+
+  std::size_t size() const { return offers_.size(); }
+  ContactPoint& operator[](std::size_t i) const { return contacts_[offers_[i].at]; }
+  const Vec3& middle(std::size_t i) const { return offers_[i].middle; }
+  double& away(std::size_t i) const { return offers_[i].away; }
+  double square_between(std::size_t i, std::size_t j) const {
+    const Vec3 offset = middle(i) - middle(j);
+    return dot(offset, offset);
+  }
+
+  /// Moves `next` to the front of those that are not kept yet, which stay in their order.
+  void keep(std::size_t kept, std::size_t next) const {
+    const auto place = [&](std::size_t i) {
+      return offers_.begin() + static_cast<std::ptrdiff_t>(i);
+    };
+    std::rotate(place(kept), place(next), place(next + 1));
+  }
+
+  /// Puts the first of them, so many, where all begin, the deepest first.
+  std::size_t gather(std::size_t kept) const {
+    static thread_local std::vector<ContactPoint> found;
+    std::sort(offers_.begin(), offers_.begin() + static_cast<std::ptrdiff_t>(kept),
+              [&](const Offer& s, const Offer& t) {
+                return is_before_in_depth(contacts_[s.at], contacts_[t.at]);
+              });
+    found.clear();
+    for (std::size_t i = 0; i < kept; ++i)
+      found.push_back((*this)[i]);
+    std::copy(found.begin(), found.end(), contacts_.begin());
+    return kept;
+  }
+
+ private:
+  static std::vector<Offer>& scratch() {
+    static thread_local std::vector<Offer> offers;  // no step of a simulation allocates
+    return offers;
+  }
+
+  std::span<ContactPoint> contacts_;
+  std::vector<Offer>& offers_;
+};
 
 /// The least depth and the greatest, and how far from the first contact any other lies.
 struct Extent {
@@ -68,63 +134,50 @@ struct Extent {
   double width = 0;
 };
 
-Extent extent_of(const Points& contacts) {
+Extent extent_of(const Offered& contacts) {
   Extent extent;
-  for (const ContactPoint& contact : contacts) {
-    extent.shallowest = std::min(extent.shallowest, contact.depth);
-    extent.deepest = std::max(extent.deepest, contact.depth);
-    extent.width = std::max(extent.width, square_between(contact, contacts[0]));
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    extent.shallowest = std::min(extent.shallowest, contacts[i].depth);
+    extent.deepest = std::max(extent.deepest, contacts[i].depth);
+    extent.width = std::max(extent.width, contacts.square_between(i, 0));
   }
   extent.width = std::sqrt(extent.width);
   return extent;
 }
 
-/// Moves the contact `next` to the front of those that are not kept yet, which stay in the order of
-/// their features.
-void keep(Points& contacts, std::size_t kept, std::size_t next) {
-  const auto at = [&](std::size_t i) { return contacts.begin() + static_cast<std::ptrdiff_t>(i); };
-  std::rotate(at(kept), at(next), at(next + 1));
-}
-
 /// Keeps, beside the first, whichever of those offered is farthest from all that are kept, until
 /// there are `most`.
-void keep_farthest(Points& contacts, std::size_t offered, std::size_t most) {
+void keep_farthest(const Offered& contacts, std::size_t offered, std::size_t most) {
+  for (std::size_t i = 1; i < offered; ++i)
+    contacts.away(i) = contacts.square_between(i, 0);
   for (std::size_t kept = 1; kept < most; ++kept) {
-    const auto away = [&](std::size_t i) {
-      double least = square_between(contacts[i], contacts[0]);
-      for (std::size_t j = 1; j < kept; ++j)
-        least = std::min(least, square_between(contacts[i], contacts[j]));
-      return least;
-    };
     std::size_t next = kept;
-    double farthest = away(kept);
-    for (std::size_t i = kept + 1; i < offered; ++i) {
-      const double square = away(i);
-      if (square > farthest * (1 + kSame)) farthest = square, next = i;
-    }
-    keep(contacts, kept, next);
+    for (std::size_t i = kept + 1; i < offered; ++i)
+      if (contacts.away(i) > contacts.away(next) * (1 + kSame)) next = i;
+    contacts.keep(kept, next);
+    for (std::size_t i = kept + 1; i < offered; ++i)
+      contacts.away(i) = std::min(contacts.away(i), contacts.square_between(i, kept));
   }
 }
 
 /// The first of the contacts offered that are about as far from the middle of these as any is.
-std::size_t outermost(const Points& contacts, std::size_t offered) {
+std::size_t outermost(const Offered& contacts, std::size_t offered) {
   Vec3 middle{0, 0, 0};
   for (std::size_t i = 0; i < offered; ++i)
-    middle = middle + middle_of(contacts[i]) * (1.0 / static_cast<double>(offered));
-  const auto away = [&](std::size_t i) {
-    const Vec3 offset = middle_of(contacts[i]) - middle;
-    return dot(offset, offset);
-  };
+    middle = middle + contacts.middle(i) * (1.0 / static_cast<double>(offered));
   double farthest = 0;
-  for (std::size_t i = 0; i < offered; ++i)
-    farthest = std::max(farthest, away(i));
+  for (std::size_t i = 0; i < offered; ++i) {
+    const Vec3 offset = contacts.middle(i) - middle;
+    contacts.away(i) = dot(offset, offset);
+    farthest = std::max(farthest, contacts.away(i));
+  }
   std::size_t at = 0;
-  while (!(away(at) >= kOuter * farthest))
+  while (!(contacts.away(at) >= kOuter * farthest))
     ++at;
   return at;
 }
 
-std::size_t first_so_deep(const Points& contacts, double depth) {
+std::size_t first_so_deep(const Offered& contacts, double depth) {
   std::size_t at = 0;
   while (contacts[at].depth < depth)
     ++at;
@@ -146,7 +199,7 @@ struct Goals {
 };
 
 /// The shortest one that is longer than that.
-std::optional<Way> next_way(const Points& contacts, std::size_t kept, const Goals& goals,
+std::optional<Way> next_way(const Offered& contacts, std::size_t kept, const Goals& goals,
                             double longer) {
   std::optional<Way> best;
   for (std::size_t i = 0; i < kept; ++i) {
@@ -154,7 +207,7 @@ std::optional<Way> next_way(const Points& contacts, std::size_t kept, const Goal
       if (contacts[j].depth < goals.depth || is_aside(contacts[j], goals.within)) continue;
       const double share =
           (goals.depth - contacts[i].depth) / (contacts[j].depth - contacts[i].depth);
-      const double square = share * share * square_between(contacts[i], contacts[j]);
+      const double square = share * share * contacts.square_between(i, j);
       if (square > longer && (!best || square * (1 + kSame) < best->square))
         best = Way{i, j, share, square};
     }
@@ -162,7 +215,7 @@ std::optional<Way> next_way(const Points& contacts, std::size_t kept, const Goal
   return best;
 }
 
-bool follow(const Way& way, const ContactSurfaces& surfaces, Points& contacts) {
+bool follow(const Way& way, const ContactSurfaces& surfaces, const Offered& contacts) {
   const ContactPoint& goal = contacts[way.to];
   ContactPoint moved = contacts[way.from];
   moved.point_a = moved.point_a + (goal.point_a - moved.point_a) * way.share;
@@ -175,7 +228,8 @@ bool follow(const Way& way, const ContactSurfaces& surfaces, Points& contacts) {
 
 /// Makes one of those that are kept as deep as the deepest of all. With features of its own a
 /// deeper one in its place would be another contact with every jitter.
-void deepen(Points& contacts, std::size_t kept, const Extent& extent, const Reduction& reduction) {
+void deepen(const Offered& contacts, std::size_t kept, const Extent& extent,
+            const Reduction& reduction) {
   const auto has = [&](double depth) {
     for (std::size_t i = 0; i < kept; ++i)
       if (contacts[i].depth >= depth) return true;
@@ -197,14 +251,12 @@ void deepen(Points& contacts, std::size_t kept, const Extent& extent, const Redu
       longer = way->square;
     }
   }
-  const ContactPoint& deepest = contacts[first_so_deep(contacts, extent.deepest)];
-  const auto end = contacts.begin() + static_cast<std::ptrdiff_t>(kept);
-  ContactPoint& nearest =
-      *std::min_element(contacts.begin(), end, [&](const auto& s, const auto& t) {
-        return square_between(s, deepest) < square_between(t, deepest);
-      });
-  ContactPoint taken = deepest;
-  if (!is_aside(deepest, within))
+  const std::size_t at = first_so_deep(contacts, extent.deepest);
+  std::size_t next = 0;
+  for (std::size_t i = 1; i < kept; ++i)
+    if (contacts.square_between(i, at) < contacts.square_between(next, at)) next = i;
+  ContactPoint &nearest = contacts[next], taken = contacts[at];
+  if (!is_aside(taken, within))
     taken.feature_a = nearest.feature_a, taken.feature_b = nearest.feature_b;
   nearest = taken;
 }
@@ -239,31 +291,29 @@ bool CoreSurfaces::hold(ContactPoint& contact) const {
   return true;
 }
 
-void reduce(Points& contacts, const Reduction& reduction) {
-  std::sort(contacts.begin(), contacts.end(), comes_before);
+std::size_t reduce(std::span<ContactPoint> contacts, const Reduction& reduction) {
   const std::size_t most = reduction.most;
   const bool has_goal =
-      reduction.surfaces != nullptr && !contacts.empty() && is_goal(contacts.back());
-  if (contacts.size() > most || has_goal) {
-    const Extent extent = extent_of(contacts);
-    const bool is_level = extent.deepest - extent.shallowest < kLevel * extent.width;
-    std::size_t corners = contacts.size();
-    while (has_goal && corners > 0 && is_goal(contacts[corners - 1]))
-      --corners;
-    const std::size_t offered = is_level && corners > 2 ? corners : contacts.size();
-    if (offered > most) {
-      const double deep_enough = extent.deepest - kAsDeep * extent.width;
-      keep(contacts, 0,
-           is_level ? outermost(contacts, offered) : first_so_deep(contacts, deep_enough));
-      keep_farthest(contacts, offered, most);
-    }
-    const std::size_t kept = std::min(offered, most);
-    if (kept < contacts.size()) deepen(contacts, kept, extent, reduction);
-    contacts.resize(kept);
+      reduction.surfaces != nullptr && std::any_of(contacts.begin(), contacts.end(), is_goal);
+  if (contacts.size() <= most && !has_goal) {
+    sort_by_depth(contacts);
+    return contacts.size();
   }
-  std::sort(contacts.begin(), contacts.end(), [](const ContactPoint& s, const ContactPoint& t) {
-    return s.depth != t.depth ? s.depth > t.depth : comes_before(s, t);
-  });
+  const Offered all(contacts);
+  const Extent extent = extent_of(all);
+  const bool is_level = extent.deepest - extent.shallowest < kLevel * extent.width;
+  std::size_t corners = all.size();
+  while (has_goal && corners > 0 && is_goal(all[corners - 1]))
+    --corners;
+  const std::size_t offered = is_level && corners > 2 ? corners : all.size();
+  if (offered > most) {
+    const double deep_enough = extent.deepest - kAsDeep * extent.width;
+    all.keep(0, is_level ? outermost(all, offered) : first_so_deep(all, deep_enough));
+    keep_farthest(all, offered, most);
+  }
+  const std::size_t kept = std::min(offered, most);
+  if (kept < all.size()) deepen(all, kept, extent, reduction);
+  return all.gather(kept);
 }
 
 }  // namespace graze::narrowphase
