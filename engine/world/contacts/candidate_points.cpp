@@ -212,9 +212,12 @@ void TriangleCandidates::add_beside(const TouchedTriangle& member) {
                                  narrowphase::kPointFeature});
     return take(face_feature(member.parting.triangle));
   }
-  // The line through it leaves the shape beside it: the two graze each other there.
-  candidates_.found.push_back({shared.point_b, shared.point_b, out, 0, narrowphase::kPointFeature,
-                               narrowphase::kPointFeature});
+  // The line through it leaves the shape beside it: the two graze each other there. What is found
+  // to be nearest may be apart by more than rounding, as for edges that all but lie along each
+  // other.
+  const Vec3& on_shape = core_.radius > 0 ? shared.point_b : shared.point_a;
+  candidates_.found.push_back(
+      {on_shape, shared.point_b, out, 0, narrowphase::kPointFeature, narrowphase::kPointFeature});
   take(face_feature(member.parting.triangle));
 }
 
