@@ -20,7 +20,9 @@ constexpr double kSliver = 1e-7;
 // Edges that turn by less than this, radians, are flat.
 constexpr double kFlat = 1e-6;
 
-// A direction counts as faced if it leads to no neighbour of a corner by more than this sine.
+// A corner faces a direction if that leads away from all its neighbours by more than this sine. What
+// leads to none but along an edge is what the edge faces, or the face: from a corner of a straight
+// edge, or of a flat face, a body is not led away along a normal of its own that leans by rounding.
 constexpr double kFacedSine = 1e-6;
 
 // So many slivers in a row are looked across.
@@ -203,9 +205,11 @@ bool FacingFeatures::vertex_faces(std::uint32_t of, const Vec3& direction) const
   const Vec3 corner = to_vec3(placing_.vertices[of]);
   for (const std::uint32_t other : fans_.around(of)) {
     for (int i = 0; i < 3; ++i) {
-      const Vec3 edge = to_vec3(placing_.vertices[vertex(other, i)]) - corner;
+      const std::uint32_t end = vertex(other, i);
+      if (end == of) continue;
+      const Vec3 edge = to_vec3(placing_.vertices[end]) - corner;
       const double ahead = dot(own, edge);
-      if (ahead > 0 && ahead > kFacedSine * length(edge)) return false;
+      if (!(ahead < 0) || ahead * ahead <= kFacedSine * kFacedSine * dot(edge, edge)) return false;
     }
   }
   return true;
