@@ -197,9 +197,9 @@ std::optional<MeetingPoints> deepest_of(const FacePair& faces, const Vec3& norma
 /// nearest once they are moved apart. Nothing if no point is deeper than the contacts `told`.
 std::optional<MeetingPoints> deepest_ends(const FacePair& faces, const Parting& parting,
                                           double enough, Told told) {
-  const auto& [a, b, face_a, face_b] = faces;
+  const Core &a = faces.a, &b = faces.b;
   const Vec3& normal = parting.penetration.normal;
-  const bool are_sure = are_deepest({face_a, a}, {face_b, b}, normal);
+  const bool are_sure = are_deepest({faces.of_a, a}, {faces.of_b, b}, normal);
   if (are_sure && told == Told::AllOfPolygons) return std::nullopt;
   std::optional<MeetingPoints> best = deepest_of(faces, normal);
   if (best && are_sure) return best;
