@@ -143,8 +143,9 @@ bool TriangleCandidates::add_deepest(const TouchedTriangle& member, std::uint64_
 }
 
 /// Of a round face that ends over a rim of the mesh: where it is deepest over the triangles of a
-/// region, if that is deeper than its corners.
-void TriangleCandidates::add_over_rim(std::span<const TouchedTriangle> members, double deepest) {
+/// region, if that is deeper than its corners, or it has none there.
+void TriangleCandidates::add_over_rim(std::span<const TouchedTriangle> members, double deepest,
+                                      std::uint64_t of_shape) {
   using enum narrowphase::CoreKind;
   if (core_.kind != Cylinder && core_.kind != Cone) return;
   std::optional<ContactPoint> best;
@@ -160,12 +161,9 @@ void TriangleCandidates::add_over_rim(std::span<const TouchedTriangle> members, 
     const double depth = dot(ends->on_a - ends->on_b, out);
     if (!(depth > deepest)) continue;
     deepest = depth;
-    best = ContactPoint{ends->on_a,
-                        ends->on_b,
-                        out,
-                        depth,
-                        narrowphase::kDeepestOfFace,
-                        narrowphase::kPointFeature | face_feature(member.parting.triangle)};
+    best = ContactPoint{
+        ends->on_a, ends->on_b, out,
+        depth,      of_shape,   narrowphase::kPointFeature | face_feature(member.parting.triangle)};
   }
   if (best) candidates_.list.push_back(*best);
 }

@@ -194,7 +194,8 @@ void TriangleCandidates::add_region(std::span<TouchedTriangle> members) {
   // What the corners of a face leave out, above all of a round one, is the deepest point itself.
   if (most < least && !add_deepest(speaker, part_of_deepest)) {
     add_nearest(speaker);
-    if (most >= 0) add_over_rim(members, most);
+    if (most >= 0 || candidates_.list.size() == before)
+      add_over_rim(members, most, part_of_deepest);
   }
   if (candidates_.list.size() == before) add_beside(speaker);
   drop_doubles(before);

@@ -54,7 +54,8 @@ class TriangleCandidates {
   void add_member(const TouchedTriangle& member);
   bool add_deepest(const TouchedTriangle& member, std::uint64_t of_shape);
   void add_nearest(const TouchedTriangle& member);
-  void add_over_rim(std::span<const TouchedTriangle> members, double deepest);
+  void add_over_rim(std::span<const TouchedTriangle> members, double deepest,
+                    std::uint64_t of_shape);
   void add_beside(const TouchedTriangle& member);
   void add_alone(const TouchedTriangle& member);
   void take(std::uint64_t of_mesh);

@@ -91,6 +91,34 @@ TEST(WayOut, Law15WhatLiesOnAFlatFloorWithAHairsLeanFeelsNoCorners) {
   }
 }
 
+// A point of an edge within the floor was looked for in one of its triangles, then in the other,
+// and found in neither: the tip of a capsule over it was said to be half as deep.
+TEST(WayOut, Law15WhatStandsOnAnEdgeWithinAFloorStandsOnTheFloor) {
+  RandomSource source(1573);
+  const Vector3d half(0.731, 0.159, 0.151);
+  int pairs = 0;
+  for (int cells = 1; cells <= 6; ++cells) {
+    const Shape floor = tests::tessellated_box(half, cells);
+    for (int i = 1; i < 2 * cells; ++i) {
+      for (int j = 1; j < 2 * cells; ++j) {
+        const double x = half.x() * (i - cells) / cells, y = half.y() * (j - cells) / cells;
+        const double depth = 0.01, about = source.uniform(-3, 3);
+        for (const Shape& body : {Shape(Capsule{0.1, 0.1}), Shape(Sphere{{0, 0, 0}, 0.2}),
+                                  Shape(Ellipsoid{{0, 0, 0}, {0.1, 0.15, 0.2}})}) {
+          Pose pose = tests::at(x, y, half.z() + 0.2 - depth);
+          pose.rotate(Eigen::AngleAxisd(about, Vector3d::UnitZ()));
+          const Manifold found = find_contacts({floor, Pose::Identity()}, {body, pose});
+          ASSERT_FALSE(found.empty());
+          if (found[0].normal.z() < 1 - 1e-9) continue;  // near the rim its edge is the way out
+          ++pairs;
+          ASSERT_NEAR(found[0].depth, depth, 1e-6) << cells << " " << i << " " << j;
+        }
+      }
+    }
+  }
+  EXPECT_GT(pairs, 500);
+}
+
 // So it was from corners within a straight edge: where none of these is below the body, it had one
 // contact with no depth.
 TEST(WayOut, Law15ABoxThatLiesOnAStraightEdgeLiesOnAllOfIt) {
