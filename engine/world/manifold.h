@@ -124,9 +124,9 @@ inline Manifold& Manifold::operator=(Manifold&& other) noexcept {
 /// least nobody knows. Of two boxes the least is 19 twentieths of it at least, but for the
 /// tolerance, as a face is taken where two edges would be nearer by less. For poses that are no
 /// rotations to more than rounding, add by how much they deviate, of the scale. The greatest depth
-/// of the contacts is that width, to the tolerance or 1e-4 of how far the contacts are spread,
-/// whichever is more: moving B by as much along the normal parts them. So a motion by d changes
-/// that width by at most d and the tolerance. A cylinder's cap and a cone's base count as octagons.
+/// of the contacts is that width, to the tolerance, and to a thousandth of what parts the two along
+/// the normal. So a motion by d changes that width by at most d and the tolerance. A cylinder's cap
+/// and a cone's base count as octagons, but not for how deep they are.
 ///
 /// **Meshes** are one-sided: their triangles turn counter-clockwise as seen from outside, and what
 /// is behind a surface leaves it in front. Law 15 (narrowphase/README.md) says what a region is and
@@ -158,13 +158,16 @@ inline Manifold& Manifold::operator=(Manifold&& other) noexcept {
 /// Deeper, and of a hit that a search left open (PairStatus::NotConverged), no surface is promised.
 ///
 /// Of all that a region offers four remain: the deepest, and those that are far from all that
-/// remain. So that features persist, edges of two faces that are within a 256th of the smaller
-/// shape's size of each other count as one, which no answer of yes or no depends on: where such an
-/// edge ends the common area, its corners slide along their face onto that end, and keep their
-/// names. Swapping A and B mirrors the result, bit for bit: normals turn round, and features change
-/// places. Of equal shapes in equal poses there is nothing to mirror, as the swapped question is
-/// the same one: then the result is the same, too. Throws as intersects() does, and
-/// UnsupportedPairError for two half-spaces that intersect: no finite translation parts them.
+/// remain. Where all are nearly as deep, as of what lies, their places alone say which; then one of
+/// them moves within the region to where it is deep enough, and keeps its feature, so that its
+/// point may be beside the corner that it is called after. So that features persist, edges of two
+/// faces that are within a 256th of the smaller shape's size of each other count as one, which no
+/// answer of yes or no depends on: where such an edge ends the common area, its corners slide along
+/// their face onto that end, and keep their names. Swapping A and B mirrors the result, bit for
+/// bit: normals turn round, and features change places. Of equal shapes in equal poses there is
+/// nothing to mirror, as the swapped question is the same one: then the result is the same, too.
+/// Throws as intersects() does, and UnsupportedPairError for two half-spaces that intersect: no
+/// finite translation parts them.
 ///
 /// Of two meshes `find_contacts({bolt}, {nut, pose})` is that of mesh_contacts.h: say
 /// `{Shape(bolt)}` where a manifold is meant.

@@ -1,5 +1,6 @@
 #include "samples/simulation/contact_solver.h"
 
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -98,6 +99,47 @@ void ContactSolver::take(const World& world, const WorldUpdate& update,
       }
       touch.points.push_back(point);
     }
+    if (settings_.keeps_push && !before.empty())
+      keep_push(world.pose(contact.pair.a), before, touch.points);
+  }
+}
+
+// What leans a little more to one side touches a little more there: of a round face the deepest
+// point moves by millimetres a step, and an impulse that moves with it turns the bodies. So the
+// contacts start from impulses that differ the least from their own and push and turn as much as
+// those of the step before did.
+void ContactSolver::keep_push(const Pose& pose_a, const std::vector<Point>& before,
+                              std::vector<Point>& points) {
+  using Wrench = Eigen::Matrix<double, 6, 1>;  // a push, and its moment by a length
+  using Wrenches = Eigen::Matrix<double, 6, Eigen::Dynamic>;
+  const Vector3d middle = pose_a * before.front().anchor_a;
+  double width = 0;
+  for (const std::vector<Point>* each : {&before, &std::as_const(points)}) {
+    for (const Point& point : *each)
+      width = std::max(width, (pose_a * point.anchor_a - middle).norm());
+  }
+  if (width == 0) return;
+  const auto wrench_of = [&](const Point& point) {
+    Wrench wrench;
+    wrench << point.axis[0], (pose_a * point.anchor_a - middle).cross(point.axis[0]) / width;
+    return wrench;
+  };
+  Wrench lacking = Wrench::Zero();
+  for (const Point& point : before)
+    lacking += point.impulse[0] * wrench_of(point);
+  Wrenches wrenches(6, static_cast<Eigen::Index>(points.size()));
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto column = static_cast<Eigen::Index>(i);
+    wrenches.col(column) = wrench_of(points[i]);
+    lacking -= points[i].impulse[0] * wrenches.col(column);
+  }
+  constexpr double kAlike = 1e-3;  // of directions of wrenches that are one but for rounding
+  Eigen::CompleteOrthogonalDecomposition<Wrenches> least(wrenches.rows(), wrenches.cols());
+  least.setThreshold(kAlike);
+  const Eigen::VectorXd more = least.compute(wrenches).solve(lacking);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    double& impulse = points[i].impulse[0];
+    impulse = std::max(impulse + more[static_cast<Eigen::Index>(i)], 0.0);
   }
 }
 

@@ -20,6 +20,8 @@ struct SolverSettings {
   double hertz = 0;         // if more: overlaps are pushed apart as by a spring of that frequency
   double damping = 10;      // and by a damper, of so many times the critical damping
   double same_place = 0;  // metres: nearer than that, contacts are the same without their features
+  bool keeps_push =
+      false;  // contacts found anew start from all that those before pushed and turned
   double wake_speed = 0.25;  // metres a second, at which a body that arrives wakes one that sleeps
   double load_share =
       0.25;  // of a sleeping body's weight: it wakes if a contact that bore this ends
@@ -78,6 +80,10 @@ class ContactSolver {
 
   /// What a contact found anew starts from, if there is anything.
   const Point* before_of(const Point& point, const std::vector<Point>& before) const;
+  /// Adds what the impulses of a pair's contacts lack of the push of those before, or of its
+  /// moment.
+  static void keep_push(const Pose& pose_a, const std::vector<Point>& before,
+                        std::vector<Point>& points);
   double friction_of(std::uint64_t index, std::span<const RigidBody> bodies) const;
   void prepare(Touch& touch, std::span<const RigidBody> bodies) const;
   void start_warm(Touch& touch, std::span<RigidBody> bodies) const;

@@ -1,5 +1,7 @@
 #include <graze/engine/world/contacts/contact_functions.h>
+#include <graze/engine/world/manifold.h>
 #include <graze/engine/world/shapes/placed_core.h>
+#include <graze/narrowphase/convex/contact/reduction.h>
 #include <graze/narrowphase/convex/core/contact_face.h>
 #include <graze/narrowphase/convex/depth/box_axes.h>
 #include <graze/narrowphase/convex/gap/closed_gap.h>
@@ -7,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 namespace graze {
 
@@ -47,6 +50,21 @@ void sign_depth(const Core& core_a, const Core& core_b, Parting& parting) {
   if (!(penetration.depth > 0)) penetration.depth = along(core_a, core_b, penetration.normal).depth;
 }
 
+void reduce_from(std::size_t first, const narrowphase::ContactSurfaces& surfaces,
+                 ContactCandidates& candidates) {
+  const auto begin = candidates.list.begin() + static_cast<std::ptrdiff_t>(first);
+  const auto is_extra = [](const narrowphase::ContactPoint& contact) {
+    return contact.feature_a == narrowphase::kDeepestOfFace;
+  };
+  if (candidates.list.size() - first <= Manifold::kMostOfRegion &&
+      std::none_of(begin, candidates.list.end(), is_extra))
+    return;
+  const std::size_t kept = narrowphase::reduce(
+      std::span(candidates.list).subspan(first),
+      {.most = Manifold::kMostOfRegion, .margin = candidates.margin, .surfaces = &surfaces});
+  candidates.list.resize(first + kept);
+}
+
 void candidates_of_cores(const PlacedShapeView& a, const PlacedShapeView& b,
                          ContactCandidates& candidates, Work& work) {
   if (b.shape.kind() == ShapeKind::Sphere && candidates_of_spheres(a, b, candidates)) return;
@@ -60,6 +78,7 @@ void candidates_of_cores(const PlacedShapeView& a, const PlacedShapeView& b,
   work.penetration_failures += parting.is_failed;
   if (candidates.margin > 0) sign_depth(core_a, core_b, parting);
   add_contact_points(core_a, core_b, parting, candidates.list, candidates.margin);
+  reduce_from(0, narrowphase::CoreSurfaces(core_a, core_b, candidates.margin), candidates);
 }
 
 // The axes along which they part mostly tell for sure whether they touch.
@@ -75,7 +94,23 @@ void candidates_of_boxes(const PlacedShapeView& a, const PlacedShapeView& b,
   if (verdict == Verdict::Apart) return;
   if (verdict == Verdict::Unsure && !intersect_in_boxes(a, b, work)) return;
   add_contact_points(core_a, core_b, part_boxes(axes), candidates.list);
+  reduce_from(0, narrowphase::CoreSurfaces(core_a, core_b, candidates.margin), candidates);
 }
+
+/// Of a convex set whose face faces a plane.
+class OverPlane final : public narrowphase::ContactSurfaces {
+ public:
+  OverPlane(const Core& core, double margin) : core_(core), margin_(margin) {}
+  bool hold(narrowphase::ContactPoint& contact) const override {
+    if (!move_onto_face(core_, contact.normal, margin_, contact.point_a)) return false;
+    contact.depth = std::max(dot(contact.point_a - contact.point_b, contact.normal), contact.depth);
+    return true;
+  }
+
+ private:
+  const Core& core_;
+  double margin_;
+};
 
 void candidates_with_plane(const PlacedShapeView& a, const PlacedShapeView& b,
                            ContactCandidates& candidates) {
@@ -106,9 +141,13 @@ void candidates_with_plane(const PlacedShapeView& a, const PlacedShapeView& b,
     add(face.corner[i], (static_cast<std::uint64_t>(face.id) << 32) | face.corner_id[i]);
   }
   // What the corners of a face leave out, above all of a round one, is the deepest point itself.
-  constexpr double kSameDepth = 1e-6;
-  if (found + margin < 0 || deepest - found > kSameDepth * (core.bounding_radius + core.radius))
-    add(lowest, narrowphase::kPointFeature);
+  const double size = core.bounding_radius + core.radius;
+  const double least = narrowphase::least_offered(deepest + margin, {margin, size}) - tolerance;
+  if (found + margin < 0 || found + margin < least) {
+    const bool is_beside = found + margin >= 0 && face.count > 2;
+    add(lowest, is_beside ? narrowphase::kDeepestOfFace : narrowphase::kPointFeature);
+  }
+  reduce_from(0, OverPlane(core, margin), candidates);
 }
 
 }  // namespace graze

@@ -6,6 +6,7 @@
 
 #include <graze/engine/world/shapes/pair_input.h>
 #include <graze/narrowphase/convex/contact/contact_points.h>
+#include <graze/narrowphase/convex/contact/reduction.h>
 
 #include <vector>
 
@@ -45,6 +46,10 @@ ContactCandidates& empty_candidates(double margin);
 /// along the normal.
 void sign_depth(const narrowphase::Core& core_a, const narrowphase::Core& core_b,
                 narrowphase::Parting& parting);
+
+/// Leaves four of the candidates from `first` on, if there are more: those that stand for a region.
+void reduce_from(std::size_t first, const narrowphase::ContactSurfaces& surfaces,
+                 ContactCandidates& candidates);
 
 void candidates_of_cores(const PlacedShapeView& a, const PlacedShapeView& b,
                          ContactCandidates& candidates, Work& work);

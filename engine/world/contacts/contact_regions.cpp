@@ -17,6 +17,10 @@ bool is_shorter(const TouchedTriangle& s, const TouchedTriangle& t) {
   return of_s != of_t ? of_s < of_t : s.parting.triangle < t.parting.triangle;
 }
 
+bool is_taken_before(const TouchedTriangle& s, const TouchedTriangle& t) {
+  return s.rank != t.rank ? s.rank < t.rank : s.parting.triangle < t.parting.triangle;
+}
+
 }  // namespace
 
 const TouchedTriangle& speaker_of(std::span<const TouchedTriangle> members) {
@@ -27,7 +31,7 @@ const TouchedTriangle& speaker_of(std::span<const TouchedTriangle> members) {
 }
 
 void ContactRegions::start(std::vector<TouchedTriangle>& touched, double size) {
-  std::sort(touched.begin(), touched.end(), is_shorter);
+  std::sort(touched.begin(), touched.end(), is_taken_before);
   clearance_.start(kNegligible * size);
   directions_.clear();
 }

@@ -20,8 +20,14 @@ constexpr double kSliver = 1e-7;
 // Edges that turn by less than this, radians, are flat.
 constexpr double kFlat = 1e-6;
 
-// A direction counts as faced if it leads to no neighbour of a corner by more than this sine.
+// A corner faces a direction if that leads away from all its neighbours by more than this sine.
+// What leads to none but along an edge is what the edge faces, or the face: from a corner of a
+// straight edge, or of a flat face, a body is not led away along a normal of its own that leans by
+// rounding.
 constexpr double kFacedSine = 1e-6;
+
+// A point that is beyond an edge by less than this share of its place is on it.
+constexpr double kOnEdge = 0x1p-44;
 
 // So many slivers in a row are looked across.
 constexpr int kMostSlivers = 8;
@@ -97,10 +103,12 @@ std::optional<std::uint32_t> FacingFeatures::flat_triangle(std::uint32_t index, 
   constexpr int kMostSteps = 64;
   const Vec3 normal = unit_or(
       cross(first.corner[1] - first.corner[0], first.corner[2] - first.corner[0]), {0, 0, 1});
+  // A point on an edge is in both of its triangles, not beyond either's for the other.
+  const double rounding = kOnEdge * (largest(point) + largest(first.corner[0]));
   Core triangle = first;
   for (int step = 0; step < kMostSteps; ++step) {
     int beyond = -1;
-    double most = 0;
+    double most = rounding;
     for (int k = 0; k < 3; ++k) {
       const Vec3 along = triangle.corner[(k + 1) % 3] - triangle.corner[k];
       const double out = dot(unit_or(cross(along, normal), normal), point - triangle.corner[k]);
@@ -203,9 +211,11 @@ bool FacingFeatures::vertex_faces(std::uint32_t of, const Vec3& direction) const
   const Vec3 corner = to_vec3(placing_.vertices[of]);
   for (const std::uint32_t other : fans_.around(of)) {
     for (int i = 0; i < 3; ++i) {
-      const Vec3 edge = to_vec3(placing_.vertices[vertex(other, i)]) - corner;
+      const std::uint32_t end = vertex(other, i);
+      if (end == of) continue;
+      const Vec3 edge = to_vec3(placing_.vertices[end]) - corner;
       const double ahead = dot(own, edge);
-      if (ahead > 0 && ahead > kFacedSine * length(edge)) return false;
+      if (!(ahead < 0) || ahead * ahead <= kFacedSine * kFacedSine * dot(edge, edge)) return false;
     }
   }
   return true;

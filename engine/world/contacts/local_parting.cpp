@@ -56,11 +56,16 @@ std::optional<LocalParting> LocalPartings::below(double limit, std::uint32_t ind
   // Ways that are nearly as long as one below the limit have a say in which one is taken.
   const double too_long = limit + kSureTimes * same;
   bool is_complete = true;
-  const auto share = [&] { return least.feature == LeftFeature::Face ? settings_.face_share : 1; };
+  // What is shorter than the best so far by its share.
+  const auto shorter = [&] {
+    const double depth = least.exit.depth;
+    if (least.feature != LeftFeature::Face) return depth;
+    return settings_.margin + settings_.face_share * (depth - settings_.margin);
+  };
   // Whether a way of that depth is taken rather than the best so far.
   bool is_close = false;
   const auto beats = [&](double depth) {
-    if (depth < share() * least.exit.depth - same) return true;
+    if (depth < shorter() - same) return true;
     is_close |= depth < least.exit.depth - same;
     return false;
   };
@@ -89,9 +94,7 @@ std::optional<LocalParting> LocalPartings::below(double limit, std::uint32_t ind
     if (std::min(within[k], within[(k + 2) % 3]) >= enough) continue;
     CornerExits exits(core_, triangle.corner[k]);
     // A share of a negative depth is more than that.
-    const auto limit_of_any = [&] {
-      return std::max(share() * least.exit.depth, least.exit.depth) - same;
-    };
+    const auto limit_of_any = [&] { return std::max(shorter(), least.exit.depth) - same; };
     while (const std::optional<Exit> exit = exits.next(limit_of_any())) {
       if (!beats(exit->depth)) continue;
       // The corner of a flat face has nothing ahead of it behind the face, either.

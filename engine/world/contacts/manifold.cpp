@@ -9,6 +9,7 @@
 #include <graze/engine/world/shapes/placed_core.h>
 
 #include <algorithm>
+#include <span>
 
 namespace graze {
 namespace {
@@ -93,11 +94,12 @@ void write_manifold(ContactCandidates& candidates, bool is_mirrored, Manifold& m
   const Vec3 origin = to_vec3(candidates.origin);
   std::uint32_t number = 0;
   for (const Region& region : regions) {
-    const auto begin = candidates.list.begin();
-    candidates.found.assign(begin + static_cast<std::ptrdiff_t>(region.first),
-                            begin + static_cast<std::ptrdiff_t>(region.end));
-    narrowphase::reduce(candidates.found, Manifold::kMostOfRegion);
-    for (ContactPoint& touch : candidates.found) {
+    const std::span offered =
+        std::span(candidates.list).subspan(region.first, region.end - region.first);
+    const std::size_t kept = narrowphase::reduce(
+        offered,
+        {.most = Manifold::kMostOfRegion, .margin = candidates.margin, .surfaces = nullptr});
+    for (ContactPoint& touch : offered.first(kept)) {
       if (candidates.margin > 0) {
         touch.point_a = touch.point_a - touch.normal * candidates.margin;
         touch.depth -= candidates.margin;

@@ -3,6 +3,7 @@
 #include <graze/engine/mesh/volume_query.h>
 #include <graze/engine/world/contacts/contact_functions.h>
 #include <graze/engine/world/contacts/triangle_candidates.h>
+#include <graze/engine/world/manifold.h>
 #include <graze/engine/world/shapes/mesh_descent.h>
 #include <graze/engine/world/shapes/pair_functions.h>
 #include <graze/engine/world/shapes/placed_core.h>
@@ -167,10 +168,10 @@ void candidates_of_pieces(const PlacedShapeView& a, const PlacedShapeView& b,
       const Vec3 on_both = to_vec3(point) - origin;
       of_piece.push_back({on_both, on_both, to_vec3(contact.normal), contact.depth, 0, 0});
     }
-    narrowphase::reduce(of_piece, 4);
+    of_piece.resize(narrowphase::reduce(of_piece, {.most = Manifold::kMostOfRegion}));
     candidates.list.insert(candidates.list.end(), of_piece.begin(), of_piece.end());
   }
-  narrowphase::reduce(candidates.list, 4);
+  candidates.list.resize(narrowphase::reduce(candidates.list, {.most = Manifold::kMostOfRegion}));
   const MeshNumbers of_a = numbers_of(mesh_a.mesh), of_b = numbers_of(mesh_b.mesh);
   for (ContactPoint& touch : candidates.list) {
     const Eigen::Vector3d point = to_eigen(touch.point_a + origin);

@@ -32,6 +32,9 @@ class TriangleCandidates {
   void finish();
 
  private:
+  // Points are on a surface to this share of the shape's size.
+  static constexpr double kOnSurface = 0x1p-36;
+
   /// Kept from one pair to the next, so that no step of a simulation allocates.
   struct Scratch {
     std::vector<TouchedTriangle> touched, slivers, all;
@@ -44,17 +47,20 @@ class TriangleCandidates {
   const narrowphase::Core& bare() const { return bare_ ? *bare_ : core_; }
   narrowphase::Parting bare(narrowphase::Parting parting) const;
   bool is_behind(const narrowphase::Core& triangle) const;
+  bool lies_on(const narrowphase::Vec3& normal);
   std::uint64_t face_feature(std::uint32_t triangle) const;
   void part_from_slivers();
-  void add_region(std::span<const TouchedTriangle> members);
+  void add_region(std::span<TouchedTriangle> members);
   void add_over_face(const TouchedTriangle& face, const narrowphase::Parting& parting);
   void add_near_faces(const TouchedTriangle& member);
   void add_member(const TouchedTriangle& member);
-  bool add_deepest(const TouchedTriangle& member);
+  bool add_deepest(const TouchedTriangle& member, std::uint64_t of_shape);
   void add_nearest(const TouchedTriangle& member);
   bool add_before(const narrowphase::Vec3& on_mesh, const narrowphase::Vec3& normal);
   void add_apart(const narrowphase::Vec3& on_shape, const narrowphase::Vec3& on_mesh,
                  const narrowphase::Vec3& normal);
+  void add_over_rim(std::span<const TouchedTriangle> members, double deepest,
+                    std::uint64_t of_shape);
   void add_beside(const TouchedTriangle& member);
   void add_alone(const TouchedTriangle& member);
   void take(std::uint64_t of_mesh);
@@ -68,7 +74,10 @@ class TriangleCandidates {
   FacingFeatures features_;
   MeshNumbers numbers_;
   LocalPartings partings_;
+  LocalPartings lying_;  ///< of what lies on a triangle with a face
   Work& work_;
+  narrowphase::Vec3 asked_normal_;  ///< that lies_on() was asked about last
+  bool is_lying_ = false;
   Scratch& s_;
 };
 

@@ -63,7 +63,7 @@ void lay_edges(ClippedFace& face, const Vec3& normal, const Plane& plane, double
     }
   }
   for (int i = 0; i < n; ++i) {
-    if (lies[i]) height[i] = 0;
+    if (lies[i]) height[i] = 0, face.has_laid_edges = true;
   }
 }
 
@@ -82,6 +82,7 @@ bool cut(ClippedFace& face, const Vec3& normal, const Plane& plane, std::uint32_
   lay_edges(face, normal, plane, within, is_closed, height);
   if (!is_cut()) return false;
   kept.count = 0;
+  kept.has_laid_edges = face.has_laid_edges;
   const auto keep = [&](const ClippedFace::Corner& corner) {
     if (kept.count < ClippedFace::kMostCorners) kept.corner[kept.count++] = corner;
   };
@@ -121,6 +122,7 @@ ClippedFace clip(const ContactFace& face, const ContactFace& sides, const Vec3& 
   }
   ClippedFace clipped;
   clipped.count = faces[now].count;
+  clipped.has_laid_edges = faces[now].has_laid_edges;
   std::copy(faces[now].corner, faces[now].corner + clipped.count, clipped.corner);
   return clipped;
 }

@@ -22,6 +22,7 @@ struct ClippedFace {
     Corner corner[kMostCorners];
   };
   int count = 0;
+  bool has_laid_edges = false;  ///< then corners may be missing that are `within` so much of others
 };
 
 /// The part of `face`, a polygon, segment or point, that lies between the planes through the edges

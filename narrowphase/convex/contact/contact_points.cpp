@@ -1,20 +1,21 @@
 #include <graze/narrowphase/convex/contact/clip.h>
 #include <graze/narrowphase/convex/contact/contact_points.h>
+#include <graze/narrowphase/convex/contact/deepest_of_faces.h>
 #include <graze/narrowphase/convex/contact/meeting_points.h>
+#include <graze/narrowphase/convex/contact/reduction.h>
 
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
 #include <limits>
 #include <optional>
-#include <span>
 
 namespace graze::narrowphase {
 namespace {
 
-// Below this share of the smaller set's size a difference of depth is of no account: far more than
-// EPA's tolerance, far less than anything modelled.
-constexpr double kSameDepth = 1e-6;
+// Below this share of the smaller set's size, or this one of the width of the contact, which is how
+// far from the first of its points any other lies, contacts of faces nearly say how deep the two
+// are: far more than EPA's tolerance, far less than anything modelled.
+constexpr double kSameDepth = 1e-6, kSameDepths = 1e-5;
 
 // Points of a clipped face that are this share of the scale short of touching still touch: what
 // kTouchTolerance of engine/world allows a hit to be.
@@ -29,23 +30,6 @@ constexpr double kFacing = 0.99;
 // Edges of two faces coincide where they are this share of the smaller set's size apart: far more
 // than what jitters in a stack, less than anyone sees of a contact that is moved by so much.
 constexpr double kCoinciding = 0x1p-8;
-
-// Squares of distances count as equal where they differ by no more than this share of them.
-constexpr double kSame = 1e-4;
-
-// Depths are the same to this share of the width of the contact, which is how far from the first
-// of its points any other lies. It is given away twice: where corners of a face stand for the
-// deepest point, and where one corner stands for the deepest. The width w is that of all points
-// that are offered. The first that is kept has one w / 2 from it, which is kept, too; and the
-// deepest, where it takes the place of its nearest, is w / 4 from one of these two. So it is 8e-5
-// of the width of those that are left: find_contacts() promises 1e-4.
-constexpr double kSameDepths = 1e-5;
-
-// Contacts are level where their depths differ by less than this share of their width.
-constexpr double kLevel = 0.01;
-
-// A contact is one of the outermost at this share of the greatest square from the middle.
-constexpr double kOuter = 0.9;
 
 // Segments are one line where the sine between them is below this.
 constexpr double kOneLine = 0.02;
@@ -104,7 +88,7 @@ void grow(ContactPoint& contact, double margin) {
 }
 
 double grown_depth(const Penetration& penetration, double margin) {
-  return margin > 0 ? penetration.depth + margin : penetration.depth;
+  return margin > 0 ? std::max(penetration.depth + margin, 0.0) : penetration.depth;
 }
 
 bool is_beyond_an_edge(const ContactFace& face, const Vec3& point, double by) {
@@ -134,10 +118,15 @@ bool move_within(const ContactFace& incident, const ContactFace& reference, cons
   return !is_beyond_an_edge(incident, own, touching);
 }
 
+/// Whether polygons of such a set stand for discs.
+bool is_round(CoreKind kind) {
+  return kind == CoreKind::Cylinder || kind == CoreKind::Cone;
+}
+
 /// The clipped corners of the incident face that are behind the reference's, whose outward sense
 /// along the normal is `sign`: 1 if it is A's. What is clipped along the normal lies, where that
-/// leads, in both faces.
-void add_clipped(const FaceOf& incident, const FaceOf& reference, const Penetration& penetration,
+/// leads, in both faces. Whether these are all the corners of what the two have in common.
+bool add_clipped(const FaceOf& incident, const FaceOf& reference, const Penetration& penetration,
                  double sign, const Tolerances& tolerance, std::vector<ContactPoint>& contacts) {
   const ContactFace& sides = reference.face;
   const Vec3 out = penetration.normal * sign;
@@ -150,6 +139,7 @@ void add_clipped(const FaceOf& incident, const FaceOf& reference, const Penetrat
   const bool is_needle =
       has_sharp_corners || is_uneven(incident) || is_uneven(reference) ||
       ((own_kind == CoreKind::Points || own_kind == CoreKind::Triangle) && is_sharp(incident.face));
+  bool has_dropped = false;
   for (int i = 0; i < clipped.count; ++i) {
     const ClippedFace::Corner& corner = clipped.corner[i];
     ContactPoint contact;
@@ -168,8 +158,10 @@ void add_clipped(const FaceOf& incident, const FaceOf& reference, const Penetrat
       contact.depth = dot(met - own, out);
     }
     if (is_needle && !(lies_on(reference, met, tolerance.touching) &&
-                       lies_on(incident, own, tolerance.touching)))
+                       lies_on(incident, own, tolerance.touching))) {
+      has_dropped = true;
       continue;
+    }
     contact.point_a = sign > 0 ? met : own;
     contact.point_b = sign > 0 ? own : met;
     if (sides.count == 2 &&
@@ -185,19 +177,79 @@ void add_clipped(const FaceOf& incident, const FaceOf& reference, const Penetrat
     contact.feature_b = sign > 0 ? of_incident : of_reference;
     contacts.push_back(contact);
   }
+  return !(clipped.has_laid_edges || has_dropped || has_sharp_corners || is_uneven(reference) ||
+           is_uneven(incident) || is_round(kind) || is_round(incident.core.kind));
 }
 
+/// Two sets, and the parts of them that face each other along a contact's normal.
+struct FacePair {
+  const Core& a;
+  const Core& b;
+  ContactFace of_a, of_b;
+};
+
 /// One point of each, where the two meet once B is moved out by the penetration.
-void add_single(const Core& a, const Core& b, const Parting& parting, double margin,
-                std::vector<ContactPoint>& contacts) {
+MeetingPoints meeting_of(const Core& a, const Core& b, const Parting& parting) {
   const Penetration& penetration = parting.penetration;
-  const MeetingPoints met = parting.has_witnesses
-                                ? MeetingPoints{penetration.point_a, penetration.point_b}
-                                : meeting_points(a, b, penetration);
-  contacts.push_back(
-      {met.on_a, met.on_b, penetration.normal, penetration.depth, kPointFeature, kPointFeature});
-  grow(contacts.back(), margin);
-  if (margin > 0) contacts.back().depth = std::max(contacts.back().depth, 0.0);
+  if (parting.has_witnesses) return {penetration.point_a, penetration.point_b};
+  return meeting_points(a, b, penetration);
+}
+
+/// What contacts of faces tell of what two sets have in common.
+enum class Told {
+  Something,  ///< as of edges, or nothing
+  OfPolygons,
+  AllOfPolygons
+};
+
+/// What contacts of faces leave out.
+struct LeftOut {
+  double deepest;  ///< of the contacts, >= 0, with the margin
+  double enough;   ///< nothing is deeper by more than rounding; without the margin
+  Told told;       ///< by them
+};
+
+double depth_between(const MeetingPoints& ends, const Vec3& normal) {
+  return dot(ends.on_a - ends.on_b, normal);
+}
+
+std::optional<MeetingPoints> deepest_of(const FacePair& faces, const Vec3& normal) {
+  return deepest_of_faces({faces.of_a, faces.a}, {faces.of_b, faces.b}, normal);
+}
+
+/// The deepest point of two polygons. What of the one is deepest may lie beside the other, and then
+/// the two reach past each other by less than they do along the normal: deepest where they are
+/// nearest once they are moved apart. Nothing if no point is deeper than the contacts `told`.
+std::optional<MeetingPoints> deepest_ends(const FacePair& faces, const Parting& parting,
+                                          double enough, Told told) {
+  const Core &a = faces.a, &b = faces.b;
+  const Vec3& normal = parting.penetration.normal;
+  const bool are_sure = are_deepest({faces.of_a, a}, {faces.of_b, b}, normal);
+  if (are_sure && told == Told::AllOfPolygons) return std::nullopt;
+  std::optional<MeetingPoints> best = deepest_of(faces, normal);
+  if (best && are_sure) return best;
+  const auto is_enough = [&] { return best && depth_between(*best, normal) >= enough; };
+  const auto offer = [&](const MeetingPoints& met) {
+    const std::optional<MeetingPoints> ends = ends_on_line(a, b, normal, met);
+    if (ends && !(best && depth_between(*best, normal) > depth_between(*ends, normal))) best = ends;
+  };
+  if (!is_enough()) offer({rounded_support(a, normal), rounded_support(b, -normal)});
+  if (!is_enough()) offer(meeting_of(a, b, parting));
+  return best;
+}
+
+/// Adds it if it is deeper than their contacts.
+void add_deepest_of_faces(const FacePair& faces, const Parting& parting, const LeftOut& left_out,
+                          double margin, std::vector<ContactPoint>& contacts) {
+  const std::optional<MeetingPoints> ends =
+      deepest_ends(faces, parting, left_out.enough, left_out.told);
+  if (!ends) return;
+  const Vec3& normal = parting.penetration.normal;
+  ContactPoint contact{ends->on_a,     ends->on_b,    normal, depth_between(*ends, normal),
+                       kDeepestOfFace, kDeepestOfFace};
+  grow(contact, margin);
+  contact.depth = std::min(contact.depth, grown_depth(parting.penetration, margin));
+  if (contact.depth > left_out.deepest) contacts.push_back(contact);
 }
 
 /// Planes through the edges of a triangle without any area, but for rounding, bound nothing.
@@ -215,156 +267,65 @@ bool has_face(const Core& core) {
   return core.kind != CoreKind::Point && core.kind != CoreKind::Ellipsoid;
 }
 
+Told add_of_faces(const FacePair& faces, const Penetration& penetration, double margin,
+                  std::vector<ContactPoint>& contacts) {
+  const auto& [a, b, face_a, face_b] = faces;
+  if (face_a.count <= 1 || face_b.count <= 1) return Told::Something;
+  const Tolerances tolerance{kTouching * pair_scale(a, b), kCoinciding * smaller_size(a, b),
+                             margin};
+  const Reference reference = choose(face_a, face_b, a, b, penetration.normal);
+  if (reference == Reference::None) return Told::Something;
+  const bool are_all =
+      reference == Reference::A
+          ? add_clipped({face_b, b}, {face_a, a}, penetration, 1, tolerance, contacts)
+          : add_clipped({face_a, a}, {face_b, b}, penetration, -1, tolerance, contacts);
+  if (face_a.count <= 2 || face_b.count <= 2) return Told::Something;
+  return are_all ? Told::AllOfPolygons : Told::OfPolygons;
+}
+
+/// Nothing faces anything where one of them has no face at all.
+FacePair faces_of(const Core& a, const Core& b, const Vec3& normal) {
+  if (!has_face(a) || !has_face(b)) return {a, b, {}, {}};
+  return {a, b, face_along(a, normal), face_along(b, -normal)};
+}
+
 }  // namespace
 
 void add_face_contact_points(const Core& a, const Core& b, const Penetration& penetration,
                              std::vector<ContactPoint>& contacts, double margin) {
-  if (!has_face(a) || !has_face(b)) return;
-  const Vec3& normal = penetration.normal;
-  const ContactFace face_a = face_along(a, normal);
-  const ContactFace face_b = face_along(b, -normal);
-  if (face_a.count == 1 || face_b.count == 1) return;
-  const Tolerances tolerance{kTouching * pair_scale(a, b), kCoinciding * smaller_size(a, b),
-                             margin};
-  switch (choose(face_a, face_b, a, b, normal)) {
-    case Reference::A:
-      add_clipped({face_b, b}, {face_a, a}, penetration, 1, tolerance, contacts);
-      break;
-    case Reference::B:
-      add_clipped({face_a, a}, {face_b, b}, penetration, -1, tolerance, contacts);
-      break;
-    case Reference::None:
-      break;
-  }
+  add_of_faces(faces_of(a, b, penetration.normal), penetration, margin, contacts);
 }
-
-namespace {
-
-double square_between(const ContactPoint& s, const ContactPoint& t) {
-  const Vec3 offset = middle_of(s) - middle_of(t);
-  return dot(offset, offset);
-}
-
-/// The least depth and the greatest, and how far from the first contact any other lies.
-struct Extent {
-  double shallowest = std::numeric_limits<double>::infinity();
-  double deepest = -1;
-  double width = 0;
-};
-
-Extent extent_of(std::span<const ContactPoint> contacts) {
-  Extent extent;
-  for (const ContactPoint& contact : contacts) {
-    extent.shallowest = std::min(extent.shallowest, contact.depth);
-    extent.deepest = std::max(extent.deepest, contact.depth);
-    extent.width = std::max(extent.width, square_between(contact, contacts[0]));
-  }
-  extent.width = std::sqrt(extent.width);
-  return extent;
-}
-
-}  // namespace
 
 void add_contact_points(const Core& a, const Core& b, const Parting& parting,
                         std::vector<ContactPoint>& contacts, double margin) {
   const std::size_t before = contacts.size();
-  add_face_contact_points(a, b, parting.penetration, contacts, margin);
+  const Vec3& normal = parting.penetration.normal;
+  const FacePair faces = faces_of(a, b, normal);
+  const Told told = add_of_faces(faces, parting.penetration, margin, contacts);
+  const bool is_flat = told != Told::Something;
+  double deepest = -1, square = 0;
+  for (std::size_t i = before; i < contacts.size(); ++i) {
+    deepest = std::max(deepest, contacts[i].depth);
+    const Vec3 across = middle_of(contacts[i]) - middle_of(contacts[before]);
+    square = std::max(square, dot(across, across));
+  }
   // What the corners of a face leave out, above all of a round one, is the deepest point itself.
-  const Extent extent = extent_of(std::span(contacts).subspan(before));
-  const double missed = grown_depth(parting.penetration, margin) - extent.deepest;
-  if (extent.deepest < 0 ||
-      missed > std::max(kSameDepth * smaller_size(a, b), kSameDepths * extent.width))
-    add_single(a, b, parting, margin, contacts);
-}
-
-namespace {
-
-bool comes_before(const ContactPoint& s, const ContactPoint& t) {
-  if (s.feature_a != t.feature_a) return s.feature_a < t.feature_a;
-  if (s.feature_b != t.feature_b) return s.feature_b < t.feature_b;
-  return s.depth > t.depth;
-}
-
-using Points = std::vector<ContactPoint>;
-
-/// Moves the contact `next` to the front of those that are not kept yet, which stay in the order of
-/// their features.
-void keep(Points& contacts, std::size_t kept, std::size_t next) {
-  const auto at = [&](std::size_t i) { return contacts.begin() + static_cast<std::ptrdiff_t>(i); };
-  std::rotate(at(kept), at(next), at(next + 1));
-}
-
-/// Keeps, beside the first, whichever contact is farthest from all that are kept, until there are
-/// `most`.
-void keep_farthest(Points& contacts, std::size_t most) {
-  for (std::size_t kept = 1; kept < most; ++kept) {
-    const auto away = [&](std::size_t i) {
-      double least = square_between(contacts[i], contacts[0]);
-      for (std::size_t j = 1; j < kept; ++j)
-        least = std::min(least, square_between(contacts[i], contacts[j]));
-      return least;
-    };
-    std::size_t next = kept;
-    double farthest = away(kept);
-    for (std::size_t i = kept + 1; i < contacts.size(); ++i) {
-      const double square = away(i);
-      if (square > farthest * (1 + kSame)) farthest = square, next = i;
-    }
-    keep(contacts, kept, next);
+  const double depth = grown_depth(parting.penetration, margin), size = smaller_size(a, b);
+  const auto enough = [&] { return parting.penetration.depth - kTouching * pair_scale(a, b); };
+  if (deepest >= 0 &&
+      depth - deepest <= std::max(kSameDepth * size, kSameDepths * std::sqrt(square))) {
+    const double least = least_offered(depth, {margin, size});
+    if (is_flat && deepest < least && deepest - margin < enough() - (depth - least))
+      add_deepest_of_faces(faces, parting, {deepest, enough(), told}, margin, contacts);
+    return;
   }
-}
-
-/// The first of the contacts that are about as far from the middle of all as any is.
-std::size_t outermost(const Points& contacts) {
-  Vec3 middle{0, 0, 0};
-  for (const ContactPoint& contact : contacts)
-    middle = middle + middle_of(contact) * (1.0 / static_cast<double>(contacts.size()));
-  const auto away = [&](const ContactPoint& contact) {
-    const Vec3 offset = middle_of(contact) - middle;
-    return dot(offset, offset);
-  };
-  double farthest = 0;
-  for (const ContactPoint& contact : contacts)
-    farthest = std::max(farthest, away(contact));
-  std::size_t at = 0;
-  while (!(away(contacts[at]) >= kOuter * farthest))
-    ++at;
-  return at;
-}
-
-std::size_t first_so_deep(const Points& contacts, double depth) {
-  std::size_t at = 0;
-  while (contacts[at].depth < depth)
-    ++at;
-  return at;
-}
-
-}  // namespace
-
-// Depths and distances that are nearly equal count as equal, and then the lower feature is taken:
-// otherwise which four of the corners of a round cap are left would change with every rounding.
-// Where all are level one of the outermost is the first to stay, as which is deepest changes with
-// every jitter; and the deepest takes the place of the one next to it, if none is so deep.
-void reduce(Points& contacts, std::size_t most) {
-  std::sort(contacts.begin(), contacts.end(), comes_before);
-  if (contacts.size() > most) {
-    const Extent extent = extent_of(contacts);
-    const double deep_enough = extent.deepest - kSameDepths * extent.width;
-    const bool is_level = extent.deepest - extent.shallowest < kLevel * extent.width;
-    keep(contacts, 0, is_level ? outermost(contacts) : first_so_deep(contacts, deep_enough));
-    keep_farthest(contacts, most);
-    const std::size_t deepest = first_so_deep(contacts, deep_enough);
-    if (deepest >= most) {
-      const auto end = contacts.begin() + static_cast<std::ptrdiff_t>(most);
-      *std::min_element(contacts.begin(), end, [&](const auto& s, const auto& t) {
-        return square_between(s, contacts[deepest]) < square_between(t, contacts[deepest]);
-      }) = contacts[deepest];
-    }
-    contacts.resize(most);
-  }
-  std::sort(contacts.begin(), contacts.end(), [](const ContactPoint& s, const ContactPoint& t) {
-    return s.depth != t.depth ? s.depth > t.depth : comes_before(s, t);
-  });
+  const std::optional<MeetingPoints> of_faces = is_flat ? deepest_of(faces, normal) : std::nullopt;
+  const bool is_there = of_faces && depth_between(*of_faces, normal) >= enough();
+  const MeetingPoints met = is_there ? *of_faces : meeting_of(a, b, parting);
+  contacts.push_back(
+      {met.on_a, met.on_b, normal, parting.penetration.depth, kPointFeature, kPointFeature});
+  grow(contacts.back(), margin);
+  if (margin > 0) contacts.back().depth = depth;
 }
 
 }  // namespace graze::narrowphase

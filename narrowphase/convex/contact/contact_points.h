@@ -26,6 +26,9 @@ static inline Vec3 middle_of(const ContactPoint& contact) {
 
 /// The feature of a point that belongs to no corner, edge or face in particular.
 inline constexpr std::uint64_t kPointFeature = 0x30000;
+/// That of the deepest point of two faces, where none of their corners is as deep: a contact of its
+/// own only where faces lean. Else one of the others moves towards it (reduction.h).
+inline constexpr std::uint64_t kDeepestOfFace = 0x30001;
 
 /// How two sets that touch part soonest, and at what cost.
 struct Parting {
@@ -54,11 +57,6 @@ void add_contact_points(const Core& a, const Core& b, const Parting& parting,
 /// The same, but only where faces face each other: none are added where none do.
 void add_face_contact_points(const Core& a, const Core& b, const Penetration& penetration,
                              std::vector<ContactPoint>& contacts, double margin = 0);
-
-/// Leaves at most `most` of the contacts, the deepest first: the deepest, to 1e-5 of their width,
-/// and those that are far from all that are left. Ties, of depths to that and of distances to 1e-4,
-/// go to the lower features.
-void reduce(std::vector<ContactPoint>& contacts, std::size_t most);
 
 /// How a box, or a point with a radius, parts soonest from a triangle that it touches, by formula:
 /// the box by the axes of both, as BoxAxes does, the point by where the triangle is nearest to

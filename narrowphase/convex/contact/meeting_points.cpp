@@ -191,6 +191,18 @@ MeetingPoints meeting_points(const Core& a, const Core& b, const Penetration& pe
   return met;
 }
 
+std::optional<MeetingPoints> ends_on_line(const Core& a, const Core& b, const Vec3& normal,
+                                          const MeetingPoints& met) {
+  std::optional<MeetingPoints> best;
+  const auto offer = [&](const MeetingPoints& ends) {
+    if (!best || dot(ends.on_a - ends.on_b, normal) > dot(best->on_a - best->on_b, normal))
+      best = ends;
+  };
+  if (const std::optional<Vec3> end = end_on_line(b, met.on_a, -normal)) offer({met.on_a, *end});
+  if (const std::optional<Vec3> end = end_on_line(a, met.on_b, normal)) offer({*end, met.on_b});
+  return best;
+}
+
 // Corners of one plane are off it by 24 u of the reach, as hull_ray.cpp adds up, which is less than
 // kBeyondRounding of it.
 bool is_uneven(const FaceOf& of) {

@@ -21,6 +21,12 @@ struct MeetingPoints {
 /// the depth is the least to kDepthTolerance, and else to as much more as the depth is more.
 MeetingPoints meeting_points(const Core& a, const Core& b, const Penetration& penetration);
 
+/// Of where two sets meet, by a point of either, the line along the normal on which they reach past
+/// each other farther, and its ends on both. Nothing if each of the two lines misses the other set,
+/// or no hull is known.
+std::optional<MeetingPoints> ends_on_line(const Core& a, const Core& b, const Vec3& normal,
+                                          const MeetingPoints& met);
+
 /// Whether the points of a penetration, one of each set, lie along its normal: not so of edges that
 /// pass each other beyond an end.
 bool lie_along(const Penetration& penetration, double tolerance);

@@ -112,9 +112,10 @@ ContactFace segment_face(const Core& core, const Vec3& direction, const Vec3& ow
 ContactFace hull_face(const Core& core, const Vec3& own) {
   const Hull& hull = *core.hull;
   std::size_t best = 0;
-  double most = -2;
+  double most = -2, next = -2;
   for (std::size_t i = 0; i < hull.contact_faces.size(); ++i) {
     const double along = dot(hull.contact_faces[i].normal, own);
+    next = std::max(next, std::min(along, most));
     if (along > most) best = i, most = along;
   }
   const Hull::Face& found = hull.contact_faces[best];
@@ -122,6 +123,7 @@ ContactFace hull_face(const Core& core, const Vec3& own) {
   face.id = static_cast<std::uint32_t>(best);
   constexpr std::uint32_t kMost = ContactFace::kMostCorners;
   const std::uint32_t count = found.count < kMost ? found.count : kMost;
+  face.next_facing = count < found.count ? 1 : next;
   // Corners within an edge of the polygon, as it is seen along the normal, are none of its own, and
   // may all the same be the ones in front.
   const double highest = hull.contact_offsets[best];

@@ -19,7 +19,10 @@ struct ContactFace {
   int count = 0;
   Vec3 normal;            ///< unit, outward
   double unevenness = 0;  ///< of a hull: how far some corner lies behind the plane that supports it
-  std::uint32_t id = 0;   ///< of the face among those of its set
+  /// Of a hull: the cosine between the direction that is faced and the next face's normal; 1 if not
+  /// all corners are here. All other sets have none that is near.
+  double next_facing = -1;
+  std::uint32_t id = 0;  ///< of the face among those of its set
 };
 
 /// The face whose normal is nearest to a unit direction. A cap of a cylinder or a cone's base is

@@ -309,5 +309,30 @@ TEST(ContactPoints, OfABoxThatIsDeepestBesideAFace) {
   expect_on_both(box, plate, "box/plate");
 }
 
+/// They graze each other in one point, where the search for what is nearest leaves two points that
+/// are apart by ten times what counts as touching: each is on the surface that it is said to be on.
+TEST(ContactPoints, OfAHullThatGrazesAMesh) {
+  Pose of_hull = Pose::Identity(), of_mesh = Pose::Identity();
+  of_hull.linear() << -0x1.6c23c94c734c3p-4, -0x1.c59fc65ab1cabp-3, -0x1.f13412be66625p-1,
+      -0x1.3ce365f54c2d2p-2, 0x1.dd9eeaeebab17p-1, -0x1.79bccfabf68bbp-3, 0x1.e4bc0d903d498p-1,
+      0x1.22f08d01d60fbp-2, -0x1.363939216037ep-3;
+  of_hull.translation() =
+      Vector3d(0x1.a485ab1b37662p+1, 0x1.2b47fc3c5e944p+2, -0x1.4b4b040a8edd4p+2);
+  of_mesh.linear() << 0x1.3f63bfaa2bb03p-1, -0x1.7fc31948c38e6p-1, 0x1.c59fa9aba01b7p-3,
+      -0x1.6a1839dbbd7c4p-4, -0x1.659fa50f5d134p-2, -0x1.dd9ef1fa11b02p-1, 0x1.8d998e45fa28bp-1,
+      0x1.1feb19fcf7998p-1, -0x1.22f069ee4b0cdp-2;
+  of_mesh.translation() =
+      Vector3d(0x1.899cbd472b8a1p+1, 0x1.f7c550e65cd82p+1, -0x1.71b238709bd91p+1);
+  int grazing = 0;
+  for (const Shape& hull : standard_shapes(ShapeKind::ConvexHull)) {
+    for (const Shape& mesh : standard_shapes(ShapeKind::Mesh)) {
+      grazing += find_contacts({hull, of_hull}, {mesh, of_mesh}).size() == 1;
+      expect_on_both({hull, of_hull}, {mesh, of_mesh}, "hull/mesh");
+      expect_on_both({mesh, of_mesh}, {hull, of_hull}, "mesh/hull");
+    }
+  }
+  EXPECT_GT(grazing, 0);
+}
+
 }  // namespace
 }  // namespace graze

@@ -1,0 +1,315 @@
+// The contacts of what a convex shape touches of a mesh: over faces, edges and corners.
+
+#include <graze/engine/world/contacts/triangle_candidates.h>
+#include <graze/engine/world/shapes/pair_input.h>
+#include <graze/engine/world/shapes/placed_core.h>
+#include <graze/narrowphase/convex/contact/contact_points.h>
+#include <graze/narrowphase/convex/contact/deepest_of_faces.h>
+#include <graze/narrowphase/convex/core/contact_face.h>
+#include <graze/narrowphase/convex/core/core_ray.h>
+#include <graze/narrowphase/convex/core/segments.h>
+#include <graze/narrowphase/convex/gap/closed_gap.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace graze {
+
+using narrowphase::ContactPoint;
+using narrowphase::Core;
+using narrowphase::Parting;
+using narrowphase::Vec3;
+
+namespace {
+
+// Of points that belong together the one is the other moved along the way out, to this share of the
+// shape's size.
+constexpr double kAlong = 0x1p-20;
+
+// A depth that lacks less than this share of the shape's size is the greatest.
+constexpr double kSameDepth = 1e-6;
+
+Parting parting_of(const TouchedTriangle& member) {
+  Parting parting;
+  parting.penetration.normal = -member.parting.exit.direction;
+  parting.penetration.depth = std::max(member.parting.exit.depth, 0.0);
+  return parting;
+}
+
+Core segment(const Vec3& from, const Vec3& to) {
+  Core core;
+  core.kind = narrowphase::CoreKind::Segment;
+  core.at = (from + to) * 0.5;
+  core.axis[2] = unit_or(to - from, {0, 0, 1});
+  core.axis[0] = any_normal_to(core.axis[2]);
+  core.axis[1] = cross(core.axis[2], core.axis[0]);
+  core.half = {0, 0, 0.5 * length(to - from)};
+  core.bounding_radius = core.half.z;
+  return core;
+}
+
+/// What an edge of a mesh, by its ends, and a corner are called in features.
+std::uint64_t edge_feature(std::uint64_t low, std::uint64_t high) {
+  return std::uint64_t{1} << 62 | ((low ^ (high * 0x9E3779B1u)) & 0x3fffffff) << 32;
+}
+std::uint64_t corner_feature(std::uint64_t vertex) {
+  return std::uint64_t{1} << 63 | (vertex & 0x3fffffff) << 32;
+}
+
+/// One point of the mesh, and that of the shape so deep along the normal.
+void add_point(const Vec3& on_mesh, const Parting& parting, std::vector<ContactPoint>& found) {
+  const Vec3 on_shape = on_mesh + parting.penetration.normal * parting.penetration.depth;
+  found.push_back({on_shape, on_mesh, parting.penetration.normal, parting.penetration.depth,
+                   narrowphase::kPointFeature, narrowphase::kPointFeature});
+}
+
+}  // namespace
+
+/// Of the shape's face and a triangle. Depths are what lies between the points, which over faces
+/// that are only nearly at right angles to the way may be more than the way leaves.
+void TriangleCandidates::add_over_face(const TouchedTriangle& face, const Parting& parting) {
+  candidates_.found.clear();
+  add_face_contact_points(bare(), face.triangle, bare(parting).penetration, candidates_.found,
+                          candidates_.margin);
+  const double most =
+      parting.penetration.depth + kSameDepth * (core_.bounding_radius + core_.radius);
+  std::erase_if(candidates_.found, [&](ContactPoint& touch) {
+    touch.depth = std::max(dot(touch.point_a - touch.point_b, touch.normal), 0.0);
+    return touch.depth > most;
+  });
+  take(face_feature(face.parting.triangle));
+}
+
+/// Where an edge or a corner says how to part, as at the rim of a table that a body leans on,
+/// faces that are nearly at right angles to that way have contacts, too.
+void TriangleCandidates::add_near_faces(const TouchedTriangle& member) {
+  const Parting parting = parting_of(member);
+  candidates_.found.clear();
+  for (const TouchedTriangle& each : s_.all) {
+    const Vec3* corner = each.triangle.corner;
+    const Vec3 normal = unit_or(cross(corner[1] - corner[0], corner[2] - corner[0]), {0, 0, 1});
+    if (dot(normal, member.parting.exit.direction) < kNearlyFacing) continue;
+    add_over_face(each, parting);
+  }
+}
+
+void TriangleCandidates::add_member(const TouchedTriangle& member) {
+  const std::uint32_t index = member.parting.triangle;
+  const int k = member.parting.which, next = (k + 1) % 3;
+  const Parting parting = parting_of(member);
+  candidates_.found.clear();
+  switch (member.parting.feature) {
+    case LeftFeature::Face:
+      add_over_face(member, parting);
+      break;
+    case LeftFeature::Edge: {
+      const std::uint32_t s = features_.vertex(index, k), t = features_.vertex(index, next);
+      if (is_held(s) && is_held(t)) return;
+      add_contact_points(bare(), segment(member.triangle.corner[k], member.triangle.corner[next]),
+                         bare(parting), candidates_.found, candidates_.margin);
+      // Beyond the end of this edge another is left.
+      std::erase_if(candidates_.found, [&](const ContactPoint& touch) {
+        const Vec3 off = touch.point_a - touch.point_b - touch.normal * touch.depth;
+        return length(off) > kAlong * (core_.bounding_radius + core_.radius);
+      });
+      take(edge_feature(numbers_.vertex(std::min(s, t)), numbers_.vertex(std::max(s, t))));
+      break;
+    }
+    case LeftFeature::Corner: {
+      const std::uint32_t vertex = features_.vertex(index, k);
+      if (is_held(vertex)) return;
+      const Vec3& corner = member.triangle.corner[k];
+      if (candidates_.margin > 0) {
+        if (!add_before(corner, parting.penetration.normal)) return;
+      } else {
+        add_point(corner, parting, candidates_.found);
+        if (!is_on_shape(candidates_.found.back().point_a)) return;
+      }
+      take(corner_feature(numbers_.vertex(vertex)));
+      break;
+    }
+  }
+}
+
+/// The shape's deepest point along the way out, if the face that it leaves is above it: that part
+/// of the shape.
+bool TriangleCandidates::add_deepest(const TouchedTriangle& member, std::uint64_t of_shape) {
+  if (member.parting.feature != LeftFeature::Face) return false;
+  const Parting parting = parting_of(member);
+  const Vec3 deepest = rounded_support(core_, parting.penetration.normal);
+  const Vec3 foot = deepest - parting.penetration.normal * parting.penetration.depth;
+  const std::optional<std::uint32_t> met =
+      features_.flat_triangle(member.parting.triangle, member.triangle, foot);
+  if (!met) return false;
+  candidates_.found.clear();
+  add_point(foot, parting, candidates_.found);
+  ContactPoint& touch = candidates_.found.back();
+  touch.feature_a = of_shape;
+  // A surface that goes on nearly flat is beside the plane, and a needle's plane beside its tip.
+  const bool is_member = *met == member.parting.triangle;
+  if (!is_member || narrowphase::is_narrow(member.triangle)) {
+    const Core triangle = is_member ? member.triangle : features_.placed_triangle(*met);
+    const Vec3 on_mesh = nearest_on_triangle(triangle, foot);
+    const double size = core_.bounding_radius + core_.radius;
+    if (length(on_mesh - foot) > kOnSurface * size) {
+      touch.point_a = deepest, touch.point_b = on_mesh;
+      touch.depth = std::max(dot(deepest - on_mesh, touch.normal), 0.0);
+    }
+  }
+  take(face_feature(*met));
+  return true;
+}
+
+/// Of a round face that ends over a rim of the mesh: where it is deepest over the triangles of a
+/// region, if that is deeper than its corners, or it has none there.
+void TriangleCandidates::add_over_rim(std::span<const TouchedTriangle> members, double deepest,
+                                      std::uint64_t of_shape) {
+  using enum narrowphase::CoreKind;
+  if (core_.kind != Cylinder && core_.kind != Cone) return;
+  std::optional<ContactPoint> best;
+  for (const TouchedTriangle& member : members) {
+    if (member.parting.feature != LeftFeature::Face) continue;
+    const Vec3 out = -member.parting.exit.direction;
+    const narrowphase::ContactFace face = face_along(bare(), out);
+    if (face.count <= 2) return;
+    const narrowphase::ContactFace below = face_along(member.triangle, -out);
+    const std::optional<narrowphase::MeetingPoints> ends =
+        deepest_of_faces({face, bare()}, {below, member.triangle}, out);
+    if (!ends) continue;
+    const double margin = candidates_.margin;
+    const double depth = dot(ends->on_a - ends->on_b, out) + margin;
+    if (!(depth > deepest) || depth < 0) continue;
+    deepest = depth;
+    best = ContactPoint{margin > 0 ? ends->on_a + out * margin : ends->on_a,
+                        ends->on_b,
+                        out,
+                        depth,
+                        of_shape,
+                        narrowphase::kPointFeature | face_feature(member.parting.triangle)};
+  }
+  if (best) candidates_.list.push_back(*best);
+}
+
+/// Of a shape that is apart from the triangle, but for the margin, the nearest points, if they are
+/// so along the way out.
+void TriangleCandidates::add_nearest(const TouchedTriangle& member) {
+  if (candidates_.margin == 0) return;
+  const narrowphase::CoreGap gap = narrowphase::nearest(bare(), member.triangle);
+  const double distance = gap.upper - bare().radius;
+  const Parting parting = parting_of(member);
+  const Vec3 between = unit_or(gap.point_b - gap.point_a, -parting.penetration.normal);
+  if (!(distance > 0) || dot(between, parting.penetration.normal) < kNearlyFacing) return;
+  candidates_.found.clear();
+  add_apart(gap.point_a + between * bare().radius, gap.point_b, parting.penetration.normal);
+  take(face_feature(member.parting.triangle));
+}
+
+/// A point of each surface, apart but for the margin, that need not lie along the normal.
+void TriangleCandidates::add_apart(const Vec3& on_shape, const Vec3& on_mesh, const Vec3& normal) {
+  const double margin = candidates_.margin;
+  const double depth = std::max(dot(on_shape - on_mesh, normal) + margin, 0.0);
+  candidates_.found.push_back({on_shape + normal * margin, on_mesh, normal, depth,
+                               narrowphase::kPointFeature, narrowphase::kPointFeature});
+}
+
+/// A point of the mesh and where the shape ends before it along the normal; false if the line
+/// passes the shape, or ends more than the margin behind the point.
+bool TriangleCandidates::add_before(const Vec3& on_mesh, const Vec3& normal) {
+  const double beyond = dot(rounded_support(core_, normal) - on_mesh, normal);
+  const Vec3 origin = on_mesh + normal * (beyond + core_.bounding_radius + core_.radius);
+  const std::optional<narrowphase::CoreRayHit> hit = cast_ray(bare(), origin, -normal);
+  if (!hit) return false;
+  const double depth = dot(origin - normal * hit->distance - on_mesh, normal) + candidates_.margin;
+  if (depth < 0) return false;
+  candidates_.found.push_back({on_mesh + normal * depth, on_mesh, normal, depth,
+                               narrowphase::kPointFeature, narrowphase::kPointFeature});
+  return true;
+}
+
+/// Where the deepest point lies beyond what is touched, as in a valley: the point of the triangle
+/// next to it, or to the shape's middle, or one that the two share, and where the shape ends behind
+/// it along the way out. So the normal stays that of the way, whatever is deep.
+void TriangleCandidates::add_beside(const TouchedTriangle& member) {
+  const Parting parting = parting_of(member);
+  const Vec3& out = parting.penetration.normal;
+  const Vec3 deepest = rounded_support(core_, out);
+  candidates_.found.clear();
+  const narrowphase::CoreGap shared = narrowphase::nearest(core_, member.triangle);
+  for (const Vec3& near : {deepest - out * parting.penetration.depth, core_.at, shared.point_b}) {
+    if (!add_before(nearest_on_triangle(member.triangle, near), out)) continue;
+    return take(face_feature(member.parting.triangle));
+  }
+  // The line through it leaves the shape beside it: the two graze each other there. What is found
+  // to be nearest may be apart by more than rounding, as for edges that all but lie along each
+  // other.
+  if (candidates_.margin > 0) {
+    const narrowphase::CoreGap gap = narrowphase::nearest(bare(), member.triangle);
+    const Vec3 between = unit_or(gap.point_b - gap.point_a, out);
+    add_apart(gap.point_a + between * bare().radius, gap.point_b, out);
+  } else {
+    const Vec3& on_shape = core_.radius > 0 ? shared.point_b : shared.point_a;
+    candidates_.found.push_back(
+        {on_shape, shared.point_b, out, 0, narrowphase::kPointFeature, narrowphase::kPointFeature});
+  }
+  take(face_feature(member.parting.triangle));
+}
+
+/// How the shape parts soonest from a triangle alone.
+void TriangleCandidates::add_alone(const TouchedTriangle& member) {
+  using enum narrowphase::CoreKind;
+  const Core& triangle = member.triangle;
+  const Core& core = bare();
+  const bool has_formula = candidates_.margin == 0 && (core.kind == Box || core.kind == Point) &&
+                           !FacingFeatures::is_sliver(triangle);
+  Parting parting = has_formula ? part_from_triangle(core, triangle)
+                                : part(core, triangle, narrowphase::nearest(core, triangle));
+  work_.penetration_tests += parting.is_asked;
+  work_.penetration_failures += parting.is_failed;
+  if (candidates_.margin > 0) sign_depth(core, triangle, parting);
+  candidates_.found.clear();
+  add_contact_points(core, triangle, parting, candidates_.found, candidates_.margin);
+  take(face_feature(member.parting.triangle));
+}
+
+/// Whether a point that is meant to be on the shape's surface is there.
+bool TriangleCandidates::is_on_shape(const Vec3& point) const {
+  Core core;
+  core.at = point;
+  const double size = core_.bounding_radius + core_.radius;
+  return narrowphase::nearest(core_, core).upper - core_.radius <= kOnSurface * size;
+}
+
+void TriangleCandidates::take(std::uint64_t of_mesh) {
+  for (ContactPoint& touch : candidates_.found) {
+    touch.feature_b = of_mesh | (touch.feature_b & 0xffffffff);
+    candidates_.list.push_back(touch);
+  }
+}
+
+/// Points over an edge that two triangles share are found with both: that of the first stays.
+void TriangleCandidates::drop_doubles(std::size_t first) {
+  std::vector<ContactPoint>& list = candidates_.list;
+  if (list.size() - first > 64) return;  // reduce() leaves the farthest
+  constexpr double kOnePoint = 1e-9;
+  const double within = kOnePoint * (core_.bounding_radius + core_.radius);
+  std::size_t kept = first;
+  for (std::size_t i = first; i < list.size(); ++i) {
+    const auto is_same = [&](const ContactPoint& other) {
+      const bool is_one_feature = other.feature_a == narrowphase::kPointFeature &&
+                                  list[i].feature_a == other.feature_a &&
+                                  list[i].feature_b == other.feature_b;
+      return is_one_feature || largest(other.point_b - list[i].point_b) <= within;
+    };
+    const auto begin = list.begin() + static_cast<std::ptrdiff_t>(first);
+    if (std::any_of(begin, list.begin() + static_cast<std::ptrdiff_t>(kept), is_same)) continue;
+    list[kept++] = list[i];
+  }
+  list.resize(kept);
+}
+
+/// Edges and corners of faces that count are those faces' business.
+bool TriangleCandidates::is_held(std::uint32_t vertex) const {
+  return std::binary_search(s_.held.begin(), s_.held.end(), vertex);
+}
+
+}  // namespace graze
