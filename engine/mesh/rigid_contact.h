@@ -54,7 +54,8 @@ struct RigidContact {
 /// and B changes nothing, unless a budget ends. From there on contacts are looked for at 1, 2, 4,
 /// ... steps, and the first that is found is narrowed to one step; a shorter touch than it took to
 /// come there may be missed, which is Close. Throws InputError for a clearance or tolerance that is
-/// not a distance, and PoseError for motions that take a mesh too far away.
+/// not a distance, and PoseError for motions that take a mesh too far away. Of lengths below 2^-430
+/// m squares underflow: what is so near is Close, or the budget ends.
 RigidContact first_contact(const Mesh& mesh_a, const RigidMotion& motion_a, const Mesh& mesh_b,
                            const RigidMotion& motion_b, const RigidContactSettings& settings = {},
                            Work* work = nullptr);

@@ -61,7 +61,8 @@ void add_view_command(CLI::App& program, Action& action) {
       ->type_name("FILE");
   command
       ->add_option("--tree", options->tree, "of meshes: the boxes of their trees, level by level")
-      ->transform(CLI::CheckedTransformer(kTreeBoxes))
+      ->transform(CLI::Transformer(kTreeBoxes).description(""))
+      ->transform(CLI::IsMember({"aabb", "obb"}).description(""))  // comes first
       ->type_name("aabb|obb");
   command
       ->add_option("--meshes", options->mesh_folder,

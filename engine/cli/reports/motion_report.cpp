@@ -13,7 +13,7 @@ namespace graze::cli {
 namespace {
 
 const Table& table() {
-  static const Table kTable({{"stretch", 7}, {"answer", 6}, {"free up to", 18}, {"witness", 18}});
+  static const Table kTable({{"motion", 7}, {"answer", 6}, {"free up to t", 18}, {"met at t", 18}});
   return kTable;
 }
 

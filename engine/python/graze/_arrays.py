@@ -133,5 +133,5 @@ def ids(value: Any, name: str = "ids") -> NDArray[np.uint64]:
     if array.dtype.kind not in "iu" or array.ndim > 1:
         raise InputError(f"{name}: are neither a whole number nor an array of the shape (n,), but {array.dtype} {array.shape}")
     if array.dtype.kind == "i" and (array < 0).any():
-        raise InputError(f"{name}: below 0 there are none")
+        raise InputError(f"{name}: {array[array < 0].flat[0]} is negative")
     return np.ascontiguousarray(array, np.uint64).reshape(array.shape)

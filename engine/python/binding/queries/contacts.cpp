@@ -197,7 +197,7 @@ of contact i are corners[offsets[i]:offsets[i + 1]]. At most `limit` contacts; `
 all. With many poses, as of intersects(), MeshContactLists, or ShapeContactLists: all contacts in one result, and where
 those of each pose begin.
 
-Where one is another shape than a mesh, or with a `margin`, metres, ShapeContacts: points for a solver, of each
+Where one is another shape than a mesh, or with a `margin`, metres, be it 0, ShapeContacts: points for a solver, of each
 region at most four, with features that persist. With a margin contacts begin when the two are so near. `sides_a` and
 `sides_b` say what of a mesh counts beside its surface: "surface", "solid", or ("one_sided", thickness in metres).
 
