@@ -79,8 +79,8 @@ TEST(WayOut, Law15FlatGroundHoldsABodyOnAllSidesOfItsMiddle) {
               Vector3d(source.uniform(-0.8, 0.8), source.uniform(-0.8, 0.8), kTall - kDepth);
           const Manifold manifold = find_contacts({mesh}, {body, pose});
           EXPECT_GE(support_around(manifold, pose.translation()), kLeast)
-              << name_of(body.kind()) << " on " << cells << " cells, leaning by " << lean
-              << ", at " << pose.translation().transpose();
+              << name_of(body.kind()) << " on " << cells << " cells, leaning by " << lean << ", at "
+              << pose.translation().transpose();
         }
       }
     }
