@@ -217,7 +217,8 @@ void Manifold::add(const ShapeContact& contact) {
     few_[count_++] = contact;
     return;
   }
-  const ShapeContact added = contact;  // which may be one of these
+  // It may be one of these, which make_room() moves.
+  const ShapeContact added = contact;  // NOLINT(performance-unnecessary-copy-initialization)
   make_room(count_ + 1);
   if (count_ == kMostOfRegion) std::copy(few_.begin(), few_.end(), all_.get());
   all_[count_++] = added;

@@ -113,10 +113,12 @@ Field all_contestants() {
 }
 
 void ask_about_meshes_and_distances(const Field& field, const Options& options, Json& document) {
-  for (const QuestionResult& result : contest_of_meshes(
+  for (QuestionResult& result : contest_of_meshes(
            field.meshes,
-           {.data = options.data, .poses = options.poses, .repetitions = options.repetitions}))
+           {.data = options.data, .poses = options.poses, .repetitions = options.repetitions})) {
+    result.repetitions = options.repetitions;
     document["questions"].push_back(to_json(result));
+  }
   document["distances"].push_back(to_json(ask_distances(field.distances, options)));
   document["distances"].push_back(to_json(
       contest_of_mesh_distances(field.mesh_distances, {.data = options.data,
@@ -137,6 +139,7 @@ void run(const Options& options) {
     if (!is_asked(options, question)) return;
     QuestionResult result = ask(question, contestants, categories, make, options);
     result.is_one_sided = sides == Sides::OnlyApart;
+    result.repetitions = options.repetitions;
     document["questions"].push_back(to_json(result));
   };
   keep("triangle and triangle", field.triangle_pairs, pair_category_count(), pair_category,

@@ -115,6 +115,7 @@ Json to_json(const QuestionResult& result) {
     contestants.push_back(to_row(result, result.labels[i], result.scores[i]));
   return {{"question", result.question},
           {"is_one_sided", result.is_one_sided},
+          {"repetitions", result.repetitions},
           {"categories", std::move(categories)},
           {"contestants", std::move(contestants)}};
 }

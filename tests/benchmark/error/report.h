@@ -27,6 +27,7 @@ struct QuestionResult {
   std::vector<CategoryFacts> categories;
   std::vector<Label> labels;
   std::vector<std::vector<Score>> scores;
+  int repetitions = 0;        ///< of which times are medians
   bool is_one_sided = false;  ///< only "apart" can be wrong: of a volume around something else
 };
 
