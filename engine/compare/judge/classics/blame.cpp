@@ -71,7 +71,7 @@ PlacedTriangles placed_with(const PosedTriangles& posed, ClassicFrame frame) {
   const Rows<Scalar> b = rows_of<Scalar>(posed.pose_b);
   if (frame == ClassicFrame::Common) return {moved_by(a, posed.a), moved_by(b, posed.b)};
   const Rows<Scalar> still = rows_of<Scalar>(Pose::Identity());
-  const PlacedTriangles placed{moved_by(still, posed.a), moved_by(relative(a, b), posed.b)};
+  PlacedTriangles placed{moved_by(still, posed.a), moved_by(relative(a, b), posed.b)};
   if (frame == ClassicFrame::OfA) return placed;
   const Eigen::Vector3d corner = placed.a.a;
   return {seen_from<Scalar>(corner, placed.a), seen_from<Scalar>(corner, placed.b)};
