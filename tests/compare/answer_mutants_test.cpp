@@ -197,8 +197,9 @@ void judge_runs(Tally& tally, int runs, std::uint64_t seed) {
     SCOPED_TRACE(run);
     judge_meshes(tally, source, cube, run % 2 == 0 ? cube : pebble, any_pose(run, source));
     judge_meshes(tally, source, torus, ball, any_pose(run + 1, source));
-    judge_meshes(tally, source, tests::lattice_soup(8, 2, source),
-                 tests::lattice_soup(8, 2, source), Pose::Identity());
+    const Mesh soup_a = tests::lattice_soup(8, 2, source),
+               soup_b = tests::lattice_soup(8, 2, source);
+    judge_meshes(tally, source, soup_a, soup_b, Pose::Identity());
     judge_rays_and_points(tally, source, torus, any_pose(run, source));
     judge_rays_and_points(tally, source, cube, any_pose(run, source));
     judge_bodies(tally, source, run % 2 == 1);

@@ -231,8 +231,8 @@ TEST(ContactDepth, OfGrazeIsRightForAllKindsWhereverTheyAre) {
                                      Ellipsoid{{0, 0, 0}, {0.5, 1, 0.25}},
                                      octahedron()};
   const auto some = [&](double most) {
-    return Vector3d(random.uniform(-most, most), random.uniform(-most, most),
-                    random.uniform(-most, most));
+    return Vector3d{random.uniform(-most, most), random.uniform(-most, most),
+                    random.uniform(-most, most)};
   };
   const double quarter = std::acos(0.0);
   std::size_t right = 0, all = 0;

@@ -23,8 +23,8 @@ constexpr double kTolerance = 1e-6;
 constexpr double kRounding = 1e-12;
 
 Pose turned(RandomSource& random, const Vector3d& at) {
-  const Eigen::Quaterniond q(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1),
-                             random.uniform(-1, 1));
+  const Eigen::Quaterniond q{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1),
+                             random.uniform(-1, 1)};
   Pose pose = Pose::Identity();
   pose.linear() = q.normalized().toRotationMatrix();
   pose.translation() = at;

@@ -300,8 +300,8 @@ TEST(ShapeAnswers, GrazeIsRightAboutWaysOut) {
   for (const Shape& a : shapes) {
     for (const Shape& b : shapes) {
       for (int i = 0; i < 8; ++i) {
-        const Eigen::Vector3d at(random.uniform(-1, 1), random.uniform(-1, 1),
-                                 random.uniform(-1, 1));
+        const Eigen::Vector3d at{random.uniform(-1, 1), random.uniform(-1, 1),
+                                 random.uniform(-1, 1)};
         const Case query = of_bodies(Ask::Separation, a, b, at);
         const CaseAnswer answer = answer_case(query);
         const Judgement judgement = Judge(query).judge(answer, this_library());
@@ -325,8 +325,8 @@ TEST(ShapeAnswers, GrazeIsRightAboutWhatIsWithin) {
     for (const Shape& b : shapes) {
       if (a.kind() == ShapeKind::HalfSpace && b.kind() == ShapeKind::HalfSpace) continue;
       for (int i = 0; i < 8; ++i) {
-        const Eigen::Vector3d at(random.uniform(-2, 2), random.uniform(-2, 2),
-                                 random.uniform(-1, 2));
+        const Eigen::Vector3d at{random.uniform(-2, 2), random.uniform(-2, 2),
+                                 random.uniform(-1, 2)};
         Case query = of_bodies(Ask::Within, a, b, at, random.uniform(0, 1));
         const Judgement judgement = Judge(query).judge(answer_case(query), this_library());
         EXPECT_NE(judgement.verdict, Verdict::Wrong) << judgement.truth;

@@ -73,8 +73,10 @@ TEST(ShrinkBodies, AWrongSignIsFoundClassifiedShrunkAndReplayed) {
     for (const Shape& b : shapes) {
       SCOPED_TRACE(std::string(name_of(a.kind())) + "/" + name_of(b.kind()));
       Case query = about(a, Pose::Identity(), b, Pose::Identity());
-      for (int draw = 0; draw < 40 && !is_wrong(*engine, query); ++draw)
-        query = about(a, tests::random_pose(0.25, source), b, tests::random_pose(1.5, source));
+      for (int draw = 0; draw < 40 && !is_wrong(*engine, query); ++draw) {
+        const Pose pose_a = tests::random_pose(0.25, source);
+        query = about(a, pose_a, b, tests::random_pose(1.5, source));
+      }
       if (!is_wrong(*engine, query)) continue;  // where it is right by chance
       ++found;
       const StillWrong still = [&](const Case& smaller) { return is_wrong(*engine, smaller); };

@@ -88,8 +88,8 @@ TEST(Law9MeshDistance, SoupsInRandomPoses) {
   for (int n = 0; n < 200; ++n) {
     const Mesh a = random_soup({.count = 40}, source);
     const Mesh b = random_soup({.count = 30, .extent = 0.5, .size = 0.1}, source);
-    const double d =
-        expect_brute_force({a, random_pose(1.5, source)}, {b, random_pose(1.5, source)});
+    const Pose pose_a = random_pose(1.5, source), pose_b = random_pose(1.5, source);
+    const double d = expect_brute_force({a, pose_a}, {b, pose_b});
     apart += d > 0;
   }
   EXPECT_GT(apart, 100);
@@ -141,8 +141,10 @@ TEST(Law9MeshDistance, AtExtremeAndMixedScales) {
       const Mesh a = random_soup({.count = 12, .extent = scale, .size = 0.3 * scale}, source);
       const Mesh b = random_soup({.count = 12, .extent = scale, .size = 0.3 * scale}, source);
       const Mesh c = random_soup({.count = 12}, source);
-      expect_brute_force({a, random_pose(2 * scale, source)}, {b, random_pose(2 * scale, source)});
-      expect_brute_force({a, random_pose(0, source)}, {c, random_pose(2, source)});
+      const Pose pose_a = random_pose(2 * scale, source), pose_b = random_pose(2 * scale, source);
+      expect_brute_force({a, pose_a}, {b, pose_b});
+      const Pose turned_a = random_pose(0, source), pose_c = random_pose(2, source);
+      expect_brute_force({a, turned_a}, {c, pose_c});
     }
   }
 }
@@ -156,7 +158,8 @@ TEST(Law9MeshDistance, OfTinyMeshesFarApart) {
       const Mesh b = random_soup(
           {.count = 9, .extent = size, .size = size, .centre = {1e-10, -3, n * 1.0}}, source);
       expect_brute_force({a}, {b});
-      expect_brute_force({a, random_pose(4, source)}, {b, random_pose(4, source)});
+      const Pose pose_a = random_pose(4, source), pose_b = random_pose(4, source);
+      expect_brute_force({a, pose_a}, {b, pose_b});
     }
   }
 }
@@ -169,8 +172,10 @@ TEST(Law9MeshDistance, OfASpeckAndAGiant) {
       for (int n = 0; n < 3; ++n) {
         const Mesh a = random_soup({.count = 40, .extent = giant, .size = 0.01 * giant}, source);
         const Mesh b = random_soup({.count = 7, .extent = speck, .size = speck}, source);
-        expect_brute_force({a, random_pose(3, source)}, {b, random_pose(3, source)});
-        expect_brute_force({a, random_pose(giant, source)}, {b, random_pose(3 * giant, source)});
+        const Pose pose_a = random_pose(3, source), pose_b = random_pose(3, source);
+        expect_brute_force({a, pose_a}, {b, pose_b});
+        const Pose far_a = random_pose(giant, source), far_b = random_pose(3 * giant, source);
+        expect_brute_force({a, far_a}, {b, far_b});
       }
     }
   }
@@ -180,7 +185,8 @@ TEST(Law9MeshDistance, OfASpeckAndAGiant) {
       const Mesh a = random_soup({.count = 40, .extent = 0x1p62, .size = 0x1p50}, source);
       const Mesh b = random_soup({.count = 3, .extent = speck, .size = speck}, source);
       expect_brute_force({a}, {b});
-      expect_brute_force({a, random_pose(0x1p63, source)}, {b, random_pose(3, source)});
+      const Pose pose_a = random_pose(0x1p63, source), pose_b = random_pose(3, source);
+      expect_brute_force({a, pose_a}, {b, pose_b});
     }
   }
 }
@@ -190,8 +196,9 @@ TEST(Law9MeshDistance, PosesAtTheDoorsLimit) {
   for (int n = 0; n < 100; ++n) {
     const Mesh a = random_soup({.count = 30, .extent = 1, .size = 0.1}, source);
     const Mesh b = random_soup({.count = 30, .extent = 1, .size = 0.1}, source);
-    expect_brute_force({a, distorted(random_pose(2, source), 1e-6, source)},
-                       {b, distorted(random_pose(2, source), 1e-6, source)});
+    const Pose pose_a = distorted(random_pose(2, source), 1e-6, source),
+               pose_b = distorted(random_pose(2, source), 1e-6, source);
+    expect_brute_force({a, pose_a}, {b, pose_b});
   }
 }
 

@@ -59,7 +59,8 @@ TEST(Law9, SoupsInRandomPoses) {
   for (int n = 0; n < 400; ++n) {
     const Mesh a = random_soup({.count = 80}, source);
     const Mesh b = random_soup({.count = 50, .extent = 0.5, .size = 0.1}, source);
-    pairs += expect_brute_force({a, random_pose(0.5, source)}, {b, random_pose(0.5, source)});
+    const Pose pose_a = random_pose(0.5, source), pose_b = random_pose(0.5, source);
+    pairs += expect_brute_force({a, pose_a}, {b, pose_b});
   }
   EXPECT_GT(pairs, 500u);
 }
@@ -105,8 +106,9 @@ TEST(Law9, AtExtremeScales) {
     for (int n = 0; n < 16; ++n) {
       const Mesh a = random_soup({.count = 40, .extent = scale, .size = 0.3 * scale}, source);
       const Mesh b = random_soup({.count = 40, .extent = scale, .size = 0.3 * scale}, source);
-      pairs += expect_brute_force({a, random_pose(0.3 * scale, source)},
-                                  {b, random_pose(0.3 * scale, source)});
+      const Pose pose_a = random_pose(0.3 * scale, source),
+                 pose_b = random_pose(0.3 * scale, source);
+      pairs += expect_brute_force({a, pose_a}, {b, pose_b});
     }
     EXPECT_GT(pairs, 20u) << scale;
   }
@@ -134,8 +136,9 @@ TEST(Law9, PosesAtTheDoorsLimit) {
   for (int n = 0; n < 400; ++n) {
     const Mesh a = random_soup({.count = 60, .extent = 1, .size = 0.1}, source);
     const Mesh b = random_soup({.count = 60, .extent = 1, .size = 0.1}, source);
-    pairs += expect_brute_force({a, distorted(random_pose(0.1, source), 1e-6, source)},
-                                {b, distorted(random_pose(0.1, source), 1e-6, source)});
+    const Pose pose_a = distorted(random_pose(0.1, source), 1e-6, source),
+               pose_b = distorted(random_pose(0.1, source), 1e-6, source);
+    pairs += expect_brute_force({a, pose_a}, {b, pose_b});
   }
   EXPECT_GT(pairs, 100u);
 }

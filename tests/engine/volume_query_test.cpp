@@ -92,8 +92,8 @@ TEST(Law9Box, ExtremeScales) {
                                 Aabb{p.cwiseMin(q), p.cwiseMax(q)});
       met += expect_brute_force({mesh},
                                 Obb{random_pose(0.2 * scale, source), source.vector(0, 1) * scale});
-      met += expect_brute_force({mesh, random_pose(0.2 * scale, source)},
-                                Sphere{p, source.uniform(0, 1) * scale});
+      const Pose pose = random_pose(0.2 * scale, source);
+      met += expect_brute_force({mesh, pose}, Sphere{p, source.uniform(0, 1) * scale});
     }
     EXPECT_GT(met, 50u) << scale;
   }

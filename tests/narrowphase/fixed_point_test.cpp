@@ -67,14 +67,17 @@ double coordinate_of_kind(int kind, RandomSource& source) {
     case 2:
       return 1e15 + source.integer(-4, 4) * 0.125;
     case 3:
-      return std::ldexp(source.uniform(-1, 1), static_cast<int>(source.integer(-7, 0)));
+      return source.uniform_at_scale(-1, 1, -7, 0);
     case 4:
       return kDenormal * source.integer(-9, 9);
     case 5:
       return kMax / 2 * source.integer(-2, 2);
     default:  // all sixty bits, at the limit of every product and sum
-      return std::ldexp(source.integer(-1, 1), static_cast<int>(source.integer(0, 59))) *
-             (source.integer(0, 1) != 0 ? 2 - 0x1p-52 : 1);
+    {
+      const double sign = source.integer(-1, 1);
+      const double power = std::ldexp(sign, static_cast<int>(source.integer(0, 59)));
+      return power * (source.integer(0, 1) != 0 ? 2 - 0x1p-52 : 1);
+    }
   }
 }
 

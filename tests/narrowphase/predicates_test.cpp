@@ -50,10 +50,10 @@ Point3 point_of_kind(int kind, RandomSource& source) {
         x = 1e15 + source.integer(-4, 4) * 0.125;
         break;
       case 3:
-        x = std::ldexp(source.uniform(-1, 1), static_cast<int>(source.integer(-40, 40)));
+        x = source.uniform_at_scale(-1, 1, -40, 40);
         break;
       case 4:
-        x = std::ldexp(source.uniform(-1, 1), static_cast<int>(source.integer(-1070, 1020)));
+        x = source.uniform_at_scale(-1, 1, -1070, 1020);
         break;
       case 5:
         x = kDenormal * source.integer(-9, 9);

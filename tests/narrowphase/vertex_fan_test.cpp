@@ -110,9 +110,8 @@ TEST(VertexFan, IsRightWhereItIsSure) {
   for (int n = 0; n < 30000; ++n) {
     const auto rays = static_cast<std::size_t>(source.integer(3, 9));
     const FanKind kind = n % 2 == 0 ? FanKind::Closed : FanKind::Open;
-    Fan fan =
-        regular(rays, kind == FanKind::Closed ? source.integer(1, 2) : source.uniform(0.1, 1.5),
-                kind, source.uniform(-2, 2));
+    const double turns = kind == FanKind::Closed ? source.integer(1, 2) : source.uniform(0.1, 1.5);
+    Fan fan = regular(rays, turns, kind, source.uniform(-2, 2));
     // From smooth to crumpled; a third on a lattice, where edges and triangles line up.
     const double noise = std::pow(10, source.uniform(-17, 0));
     fan.vertex = noise * source.vector(-1, 1);

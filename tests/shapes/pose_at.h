@@ -5,10 +5,15 @@
 namespace graze::tests {
 
 /// Moved there, not turned.
-inline Pose at(double x, double y = 0, double z = 0) {
+inline Pose at(const Eigen::Vector3d& place) {
   Pose pose = Pose::Identity();
-  pose.translation() = Eigen::Vector3d(x, y, z);
+  pose.translation() = place;
   return pose;
+}
+
+/// For numbers that are drawn, braces keep their order: at({x, y, z}).
+inline Pose at(double x, double y = 0, double z = 0) {
+  return at(Eigen::Vector3d(x, y, z));
 }
 
 }  // namespace graze::tests

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <cstdint>
 #include <random>
 
@@ -18,6 +19,12 @@ class RandomSource {
   /// Between low and high, both included.
   double integer(int low, int high) {
     return low + static_cast<double>(random_() % static_cast<std::uint64_t>(high - low + 1));
+  }
+
+  /// uniform(low, high) times two to the power of integer(least, greatest).
+  double uniform_at_scale(double low, double high, int least, int greatest) {
+    const double mantissa = uniform(low, high);
+    return std::ldexp(mantissa, static_cast<int>(integer(least, greatest)));
   }
 
   Eigen::Vector3d vector(double low, double high) {

@@ -32,8 +32,8 @@ Terrain make_terrain(std::uint32_t side, std::size_t bodies, std::size_t rays) {
     const bool is_ball = i % 2 == 0;
     terrain.bodies.push_back(is_ball ? Shape(Sphere{{0, 0, 0}, 0.5}) : Shape(Box{{0.6, 0.4, 0.3}}));
     Pose pose = is_ball ? Pose::Identity() : tests::random_pose(0, source);
-    Eigen::Vector3d at(source.uniform(2, end - 2), source.uniform(2, end - 2), 0);
-    const Eigen::Vector3d way(source.uniform(-0.03, 0.03), source.uniform(-0.03, 0.03), 0);
+    Eigen::Vector3d at{source.uniform(2, end - 2), source.uniform(2, end - 2), 0};
+    const Eigen::Vector3d way{source.uniform(-0.03, 0.03), source.uniform(-0.03, 0.03), 0};
     for (auto& frame : terrain.frames) {
       at += way;
       at.z() = height_at(at.x(), at.y()) + 0.35;
@@ -42,9 +42,9 @@ Terrain make_terrain(std::uint32_t side, std::size_t bodies, std::size_t rays) {
     }
   }
   for (std::size_t i = 0; i < rays; ++i) {
-    const Eigen::Vector3d from(source.uniform(0, end), source.uniform(0, end), 30);
-    const Eigen::Vector3d to(from.x() + source.uniform(-60, 60), from.y() + source.uniform(-60, 60),
-                             -10);
+    const Eigen::Vector3d from{source.uniform(0, end), source.uniform(0, end), 30};
+    const Eigen::Vector3d to{from.x() + source.uniform(-60, 60), from.y() + source.uniform(-60, 60),
+                             -10};
     terrain.rays.push_back({from, to - from, (to - from).norm()});
   }
   return terrain;

@@ -116,7 +116,7 @@ Scene sheets(std::size_t poses) {
   return scene_of("two sheets", sheet, sheet, poses, [](double shift, RandomSource& source) {
     Pose pose = Pose::Identity();
     pose.translation() =
-        kGap * Vector3d(source.uniform(-0.2, 0.2), source.uniform(-0.2, 0.2), 1 - shift);
+        kGap * Vector3d{source.uniform(-0.2, 0.2), source.uniform(-0.2, 0.2), 1 - shift};
     if (shift > 1) {  // through each other along a line, not sheet beyond sheet
       const double tilt = 2 * kGap;
       pose.linear() = Eigen::AngleAxisd(tilt, direction(source)).toRotationMatrix();

@@ -40,9 +40,10 @@ std::vector<Eigen::Vector3d> random_points(const Mesh& mesh, std::size_t count) 
   RandomSource source(1);
   const Aabb box = box_around(mesh);
   std::vector<Eigen::Vector3d> points;
-  for (std::size_t i = 0; i < count; ++i)
-    points.push_back(
-        point_at(box, source.uniform(0, 1), source.uniform(0, 1), source.uniform(0, 1)));
+  for (std::size_t i = 0; i < count; ++i) {
+    const Eigen::Vector3d share = source.vector(0, 1);
+    points.push_back(point_at(box, share.x(), share.y(), share.z()));
+  }
   return points;
 }
 

@@ -73,8 +73,7 @@ class TwinWorlds {
   }
 
   Pose place() {
-    return at(static_cast<double>(source_.integer(0, 5)) * 0.75,
-              static_cast<double>(source_.integer(0, most_ / 8)) * 0.75);
+    return at({source_.integer(0, 5) * 0.75, source_.integer(0, most_ / 8) * 0.75, 0});
   }
 
   /// One for all: each thread keeps some patches of fields that it has met.

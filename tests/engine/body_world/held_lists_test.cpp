@@ -33,7 +33,7 @@ TEST(HeldLists, OfAWorldStandUntilItsNextUpdate) {
   std::vector<BodyId> ids;
   for (int i = 0; i < 40; ++i)
     ids.push_back(
-        world.add({Box{{0.5, 0.5, 0.5}}, at(source.uniform(0, 4), source.uniform(0, 4))}));
+        world.add({Box{{0.5, 0.5, 0.5}}, at({source.uniform(0, 4), source.uniform(0, 4), 0})}));
   std::size_t listed = 0;
   for (int frame = 0; frame < 30; ++frame) {
     const WorldUpdate update = world.update();
@@ -41,13 +41,13 @@ TEST(HeldLists, OfAWorldStandUntilItsNextUpdate) {
     listed += before.contacts.size() + before.ended.size();
     for (const BodyContact& contact : update.contacts) {
       if (world.contains(contact.pair.a))
-        world.move(contact.pair.a, at(source.uniform(0, 4), source.uniform(0, 4)));
+        world.move(contact.pair.a, at({source.uniform(0, 4), source.uniform(0, 4), 0}));
     }
     for (int i = 0; i < 5; ++i) {
       const auto which = static_cast<std::size_t>(source.integer(0, 39));
       world.remove(ids[which]);
       ids[which] =
-          world.add({Box{{0.5, 0.5, 0.5}}, at(source.uniform(0, 4), source.uniform(0, 4))});
+          world.add({Box{{0.5, 0.5, 0.5}}, at({source.uniform(0, 4), source.uniform(0, 4), 0})});
       world.set_shape(ids[(which + 1) % ids.size()], Sphere{{0, 0, 0}, 0.5});
       world.sleep(ids[(which + 2) % ids.size()]);
     }

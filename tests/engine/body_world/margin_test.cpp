@@ -46,7 +46,7 @@ class Crowd {
       if (source_.uniform(0, 1) < 0.3) continue;
       member.pose.translation() +=
           0.03 *
-          Eigen::Vector3d(source_.uniform(-1, 1), source_.uniform(-1, 1), source_.uniform(-1, 1));
+          Eigen::Vector3d{source_.uniform(-1, 1), source_.uniform(-1, 1), source_.uniform(-1, 1)};
       world_.move(member.id, member.pose);
     }
     if (source_.uniform(0, 1) < 0.3) {

@@ -42,13 +42,14 @@ class WorldBatch : public testing::Test {
     world_.move(ids_[7], at(3, 3, 0.5));  // which no update knows of
     RandomSource source(11);
     for (int i = 0; i < 3000; ++i) {
-      const Vector3d origin(source.uniform(-3, 25), source.uniform(-3, 15), source.uniform(8, 12));
+      const Vector3d origin{source.uniform(-3, 25), source.uniform(-3, 15), source.uniform(8, 12)};
       rays_.push_back({origin, {source.uniform(-1, 1), source.uniform(-1, 1), -1}});
     }
     for (int i = 0; i < 500; ++i)
-      poses_.push_back(at(source.uniform(-3, 25), source.uniform(-3, 15), source.uniform(-3, 12)));
+      poses_.push_back(
+          at({source.uniform(-3, 25), source.uniform(-3, 15), source.uniform(-3, 12)}));
     for (int i = 0; i < 300; ++i) {  // across or above the bodies, every third turning
-      const Vector3d way(source.uniform(-4, 4), source.uniform(-4, 4), source.uniform(-20, 4));
+      const Vector3d way{source.uniform(-4, 4), source.uniform(-4, 4), source.uniform(-20, 4)};
       motions_.emplace_back(poses_[i], RigidCourse{.centre = poses_[i].translation(),
                                                    .shift = way,
                                                    .axis = {1, 2, 3},

@@ -86,7 +86,9 @@ class FusedWorld {
   };
 
   /// Moves stay on a small lattice, so that pairs begin and end at almost every step.
-  Pose random_place() { return at(source_.integer(0, 5) * 0.75, source_.integer(0, 1) * 0.75); }
+  Pose random_place() {
+    return at({source_.integer(0, 5) * 0.75, source_.integer(0, 1) * 0.75, 0});
+  }
 
   ByHand random_body() {
     static const Mesh mesh = make_box({0.5, 0.5, 0.5});

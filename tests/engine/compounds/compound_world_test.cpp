@@ -22,10 +22,13 @@ using tests::Twins;
 void fill(Twins& twins, RandomSource& source, double reach, const BodySettings& settings = {}) {
   twins.add(tests::random_compound(source, 60, reach), at(0.1, 0.2, 0.3),
             {.kind = BodyKind::Static, .margin = settings.margin});
+  const auto add = [&](const auto& body) {
+    twins.add(body, tests::random_pose(source, reach), settings);
+  };
   for (int i = 0; i < 4; ++i)
-    twins.add(tests::random_compound(source, 6, 0.6), tests::random_pose(source, reach), settings);
+    add(tests::random_compound(source, 6, 0.6));
   for (int kind = 0; kind < 6; ++kind)
-    twins.add(tests::random_small_shape(source, kind), tests::random_pose(source, reach), settings);
+    add(tests::random_small_shape(source, kind));
 }
 
 Shape random_shape(RandomSource& source) {
@@ -58,13 +61,13 @@ TEST(CompoundWorld, AnswersAsItsPartsDo) {
   Twins twins({});
   fill(twins, source, 2);
   for (int i = 0; i < 120 && !HasFailure(); ++i) {
-    answers += twins.ask(random_shape(source), tests::random_pose(source, 3),
-                         source.uniform(0, 1) < 0.2 ? 0 : source.uniform(0, 1.5));
+    const Shape asked = random_shape(source);
+    const Pose pose = tests::random_pose(source, 3);
+    answers += twins.ask(asked, pose, source.uniform(0, 1) < 0.2 ? 0 : source.uniform(0, 1.5));
     const Eigen::Vector3d from = source.vector(-8, 8), to = source.vector(-2, 2);
     answers += twins.cast_ray({from, to - from});
-    const Pose start = tests::random_pose(source, 5);
-    answers += twins.cast(random_shape(source),
-                          RigidMotion::between(start, tests::random_pose(source, 5)));
+    const Pose start = tests::random_pose(source, 5), end = tests::random_pose(source, 5);
+    answers += twins.cast(random_shape(source), RigidMotion::between(start, end));
   }
   EXPECT_GT(answers, 300u);
 }
@@ -116,8 +119,10 @@ TEST(CompoundWorld, PartsHaveFilters) {
   twins.add(with_filters(30, 1), at(0), {.kind = BodyKind::Static});
   for (int i = 0; i < 5; ++i)
     twins.add(with_filters(6, 0.5), tests::random_pose(source, 1));
-  for (int i = 0; i < 5; ++i)
-    twins.add(random_shape(source), tests::random_pose(source, 1));
+  for (int i = 0; i < 5; ++i) {
+    const Shape added = random_shape(source);
+    twins.add(added, tests::random_pose(source, 1));
+  }
   std::size_t contacts = 0;
   for (int step = 0; step < 8 && !HasFailure(); ++step) {
     contacts += twins.update();

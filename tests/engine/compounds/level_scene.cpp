@@ -50,8 +50,8 @@ void fill_level(Twins& twins, const LevelSettings& level, RandomSource& source) 
   twins.add(Shape(ground(level, source)), corner, {.kind = BodyKind::Static});
   for (int i = 0; i < level.compounds; ++i) {
     const auto parts = static_cast<std::uint32_t>(source.integer(2, i % 10 == 0 ? 30 : 6));
-    twins.add(random_compound(source, parts, 1), somewhere(source, level, -0.5, 1),
-              {.kind = BodyKind::Static});
+    const auto compound = random_compound(source, parts, 1);
+    twins.add(compound, somewhere(source, level, -0.5, 1), {.kind = BodyKind::Static});
   }
   for (int i = 0; i < level.bodies; ++i) {
     const Pose pose = somewhere(source, level, -0.2, 0.8);
@@ -68,7 +68,8 @@ void fill_level(Twins& twins, const LevelSettings& level, RandomSource& source) 
 void ask_some(Twins& twins, const LevelSettings& level, RandomSource& source, Counts& counts) {
   for (int i = 0; i < level.questions; ++i) {
     const Pose from = somewhere(source, level, 0, 3);
-    counts.answers += twins.ask(random_small_shape(source, i), from, source.uniform(0, 0.5));
+    const Shape asked = random_small_shape(source, i);
+    counts.answers += twins.ask(asked, from, source.uniform(0, 0.5));
     const Eigen::Vector3d way = source.vector(-1, 1) - Eigen::Vector3d(0, 0, 0.5);
     counts.answers += twins.cast_ray({from.translation(), way, 40});
     const RigidCourse course{

@@ -130,8 +130,9 @@ TEST(NearestVoxel, IsThatOfAllAskedAlone) {
   std::size_t answers = 0;
   for (int round = 0; round < 6 && !HasFailure(); ++round) {
     const VoxelGrid grid{{-1, -1, 0}, round % 2 == 0 ? 0.0625 : 0.1, {40, 36, 24}};
-    answers += ask(random_map(source, grid),
-                   round % 3 == 0 ? tests::at(0) : tests::random_pose(source, 5), source);
+    const auto map = random_map(source, grid);
+    const Pose pose = round % 3 == 0 ? tests::at(0) : tests::random_pose(source, 5);
+    answers += ask(map, pose, source);
   }
   EXPECT_GT(answers, 250u);
 }

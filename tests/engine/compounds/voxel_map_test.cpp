@@ -162,9 +162,10 @@ TEST(VoxelMap, MeetsWhatACompoundOfItsBoxesMeets) {
         worlds.of_map.move(id, next);
         worlds.of_boxes.move(id, next);
       }
-      answers +=
-          ask_both(worlds, tests::random_small_shape(source, round % 6),
-                   tests::random_pose(source, step == 0 ? 6 : 2), source.uniform(0, 1), source);
+      const Shape asked = tests::random_small_shape(source, round % 6);
+      const Pose asked_at = tests::random_pose(source, step == 0 ? 6 : 2);
+      const double within = source.uniform(0, 1);
+      answers += ask_both(worlds, asked, asked_at, within, source);
     }
   }
   EXPECT_GT(contacts, 300u);
@@ -176,8 +177,8 @@ TEST(VoxelMap, RaysMissNoVoxel) {
   RandomSource source(43);
   const VoxelGrid grid = grid_of({-1, -1, -1}, 0.0625, 32);
   for (const bool is_turned : {false, true}) {
-    Alike worlds(some_voxels(source, grid, 400),
-                 is_turned ? tests::random_pose(source, 1) : tests::at(0));
+    const auto voxels = some_voxels(source, grid, 400);
+    Alike worlds(voxels, is_turned ? tests::random_pose(source, 1) : tests::at(0));
     const Pose pose = worlds.of_map.pose(worlds.of_map.bodies()[0]);
     std::size_t met = 0;
     for (int i = 0; i < 600 && !HasFailure(); ++i) {

@@ -178,13 +178,13 @@ Inputs large_inputs(Scale scale, int n) {
   RandomSource random(7);
   for (int i = 0; i < 70; ++i) {
     Pose pose = random_pose(0, random);
-    pose.translation() = Eigen::Vector3d(source.scaled(i % 7), 0, source.scaled(n));
+    pose.translation() = Eigen::Vector3d{source.scaled(i % 7), 0, source.scaled(n)};
     in.poses.push_back(pose);
   }
   for (int i = 0; i < 9000; ++i) {
-    const Eigen::Vector3d p(source.scaled(i % 97), source.scaled(i % 89), source.scaled(i % 83));
+    const Eigen::Vector3d p{source.scaled(i % 97), source.scaled(i % 89), source.scaled(i % 83)};
     in.boxes.push_back({p, p});
-    const Eigen::Vector3d q(source.scaled(i % 61), source.scaled(i % 67), source.scaled(i % 71));
+    const Eigen::Vector3d q{source.scaled(i % 61), source.scaled(i % 67), source.scaled(i % 71)};
     in.boxes_later.push_back({q, q});
   }
   in.bent = in.vertices_b;

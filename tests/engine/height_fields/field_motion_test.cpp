@@ -77,7 +77,7 @@ TEST(HeightFieldMotion, ALongWayIsLookedAtPartByPart) {
     pose.translation() =
         Eigen::Vector3d{source.uniform(0, 600), source.uniform(0, 600), source.uniform(3, 60)};
     const Vector3d way =
-        Vector3d(source.uniform(0, 600), source.uniform(0, 600), -1) - pose.translation();
+        Vector3d{source.uniform(0, 600), source.uniform(0, 600), -1} - pose.translation();
     for (const Shape& shape : {Shape(Sphere{{0, 0, 0}, 0.8}), Shape(Capsule{0.4, 0.5})}) {
       Work work;
       const auto found = cast({twins.field()}, {shape, pose}, way, &work);

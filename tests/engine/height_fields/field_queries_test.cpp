@@ -124,10 +124,10 @@ TEST(HeightFieldQueries, RaysMeetWhatTheyMeetOfTheMesh) {
     for (int i = 0; i < 30; ++i) {
       Ray ray{scene.pose() * (source.vector(-4, 12)), source.vector(-1, 1)};
       const auto at = [&] {
-        return scene.pose() * field.vertex(static_cast<std::uint32_t>(source.integer(
-                                               0, static_cast<int>(field.columns()) - 1)),
-                                           static_cast<std::uint32_t>(source.integer(
-                                               0, static_cast<int>(field.rows()) - 1)));
+        const double column = source.integer(0, static_cast<int>(field.columns()) - 1);
+        const double row = source.integer(0, static_cast<int>(field.rows()) - 1);
+        return scene.pose() *
+               field.vertex(static_cast<std::uint32_t>(column), static_cast<std::uint32_t>(row));
       };
       if (i % 3 == 0) ray.direction = at() - ray.origin;  // through vertices
       if (i % 3 == 1) {

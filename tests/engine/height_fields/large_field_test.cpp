@@ -109,8 +109,8 @@ TEST(LargeFieldSlow, OfAHundredMillionCellsSaysWhatTheCellsAroundSay) {
     Pose pose = tests::random_pose(source, 0);
     const double ground_here = stored_height(place.column, place.row) * kUnit;
     pose.translation() =
-        Eigen::Vector3d(place.column + source.uniform(-1, 1), place.row + source.uniform(-1, 1),
-                        ground_here + source.uniform(-0.2, 1.5));
+        Eigen::Vector3d{place.column + source.uniform(-1, 1), place.row + source.uniform(-1, 1),
+                        ground_here + source.uniform(-0.2, 1.5)};
     const Shape body = tests::random_small_shape(source, static_cast<int>(source.integer(0, 5)));
     const bool is_hit = intersects({mesh}, {body, pose});
     EXPECT_EQ(intersects({field}, {body, pose}), is_hit);

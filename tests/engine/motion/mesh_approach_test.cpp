@@ -61,7 +61,7 @@ TEST(Law14MeshApproach, IsTheFirstTimeOfTheGrid) {
   for (int n = 0; n < 120; ++n) {
     const Mesh mesh = floor_and_wall(12, n % 2 == 0 ? 0.1 : 0, 8);
     const Shape shape = tests::random_small_shape(source, n % 5);
-    const Pose start = at(source.uniform(0, 6), source.uniform(-3, 3), source.uniform(0.7, 1.5));
+    const Pose start = at({source.uniform(0, 6), source.uniform(-3, 3), source.uniform(0.7, 1.5)});
     const RigidMotion motion(
         start, {.centre = start.translation() + source.vector(-0.2, 0.2),
                 .shift = {source.uniform(-4, 6), source.uniform(-2, 2), source.uniform(-0.6, 0.1)},

@@ -35,7 +35,7 @@ inline Shape random_small_shape(RandomSource& source, int kind) {
 
 inline Pose random_pose(RandomSource& source, double reach) {
   Pose pose = Pose::Identity();
-  pose.linear() = Eigen::AngleAxisd(source.uniform(-3, 3), source.vector(-1, 1).normalized())
+  pose.linear() = Eigen::AngleAxisd{source.uniform(-3, 3), source.vector(-1, 1).normalized()}
                       .toRotationMatrix();
   pose.translation() = source.vector(-reach, reach);
   return pose;
@@ -45,7 +45,7 @@ inline Pose random_pose(RandomSource& source, double reach) {
 inline Pose moved(RandomSource& source, const Pose& pose, double way, double angle) {
   Pose next = pose;
   next.linear() =
-      (Eigen::AngleAxisd(source.uniform(-angle, angle), source.vector(-1, 1).normalized()) *
+      (Eigen::AngleAxisd{source.uniform(-angle, angle), source.vector(-1, 1).normalized()} *
        Eigen::Quaterniond(pose.linear()).normalized())
           .toRotationMatrix();
   next.translation() += source.vector(-way, way);

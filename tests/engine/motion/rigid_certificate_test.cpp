@@ -37,8 +37,8 @@ TEST(Law14Certificate, FreeMotionsHaveOneThatIsAccepted) {
                               : tests::random_soup({.count = 9, .extent = 0.5}, source);
     const Pose start_a = tests::random_pose(1, source), start_b = tests::random_pose(1.5, source);
     const RigidMotion motion_a(start_a, {.shift = source.vector(-1, 1), .angle = i % 3 * 1.0});
-    const RigidMotion motion_b =
-        RigidMotion::between(start_b, tests::random_pose(1.5, source), source.vector(-1, 1));
+    const Pose end_b = tests::random_pose(1.5, source);
+    const RigidMotion motion_b = RigidMotion::between(start_b, end_b, source.vector(-1, 1));
     const RigidContactSettings settings{.clearance = i % 4 * 0.01};
     const auto certificate = certify_free(a, motion_a, b, motion_b, settings);
     EXPECT_EQ(certificate.has_value(), is_free(a, motion_a, b, motion_b, settings));

@@ -40,7 +40,7 @@ Shape random_shape(RandomSource& source, int kind) {
 
 Pose random_pose(RandomSource& source, double reach) {
   Pose pose = Pose::Identity();
-  pose.linear() = Eigen::AngleAxisd(source.uniform(-3, 3), source.vector(-1, 1).normalized())
+  pose.linear() = Eigen::AngleAxisd{source.uniform(-3, 3), source.vector(-1, 1).normalized()}
                       .toRotationMatrix();
   pose.translation() = source.vector(-reach, reach);
   return pose;

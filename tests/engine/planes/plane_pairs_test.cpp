@@ -261,8 +261,7 @@ void expect_same_made_again(const Flat& flat) {
 TEST(PlaneNumbers, AShapeMadeFromAnothersNumbersIsTheSame) {
   RandomSource source(77);
   for (int i = 0; i < 20000; ++i) {
-    const double length =
-        std::ldexp(source.uniform(1, 2), static_cast<int>(source.integer(-30, 30)));
+    const double length = source.uniform_at_scale(1, 2, -30, 30);
     const Vector3d normal = source.vector(-1, 1) * length;
     const double offset = source.uniform(-1, 1) * normal.norm();
     expect_same_made_again(HalfSpace{normal, offset});

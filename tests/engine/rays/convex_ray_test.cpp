@@ -282,7 +282,7 @@ TEST(ConvexRayNormal, OfAFlatEllipsoidIsAgainstTheRay) {
     const double thin = std::pow(10.0, source.uniform(-30, -9));
     const double angle = source.uniform(0, 6.3), off = std::pow(10.0, source.uniform(-9, 0));
     const Vector3d target(std::cos(angle) * (1 - off), std::sin(angle) * 0.5 * (1 - off), 0);
-    const Vector3d from(source.uniform(-1, 1), source.uniform(-1, 1), 1);
+    const Vector3d from{source.uniform(-1, 1), source.uniform(-1, 1), 1};
     const auto hit =
         cast_ray({Ellipsoid{{0, 0, 0}, {1, 0.5, thin}}, Pose::Identity()}, {from, target - from});
     ASSERT_TRUE(hit) << n;

@@ -42,7 +42,8 @@ TEST(FaceCells, EachHasAPoint) {
     };
     std::vector<Triangle> cutters;
     for (int i = 0; i < n % 8; ++i) {
-      const Eigen::Vector3d middle = inside(source.uniform(0.1, 0.4), source.uniform(0.1, 0.4));
+      const double first = source.uniform(0.1, 0.4);
+      const Eigen::Vector3d middle = inside(first, source.uniform(0.1, 0.4));
       const Eigen::Vector3d p = 40 * source.vector(-1, 1), q = 40 * source.vector(-1, 1);
       cutters.push_back({middle + p, middle + q, middle - p - q});
     }

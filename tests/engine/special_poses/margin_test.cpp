@@ -111,8 +111,8 @@ PlacedPair leaning_pair(std::size_t n, RandomSource& source) {
   PlacedPair pair{tests::plain_shape(tests::kOwnKinds[n % tests::kConvexKinds], n),
                   tests::plain_shape(tests::kOwnKinds[n / 7 % kinds], n / 49), Pose::Identity(),
                   Pose::Identity()};
-  const Eigen::AngleAxisd lean(std::pow(10.0, source.uniform(-6, -0.6)),
-                               source.vector(-1, 1).normalized());
+  const Eigen::AngleAxisd lean{std::pow(10.0, source.uniform(-6, -0.6)),
+                               source.vector(-1, 1).normalized()};
   pair.pose_b.linear() = lean * tests::right_turn(static_cast<std::size_t>(source.integer(0, 23)));
   const Vector3d out = has(pair, ShapeKind::HalfSpace)
                            ? Vector3d(-pair.pose_b.linear().col(2))

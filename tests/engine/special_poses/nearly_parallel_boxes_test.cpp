@@ -52,7 +52,7 @@ TEST(NearlyParallelBoxes, AreApartWhereTheyAre) {
     TwoBoxes boxes = crossed(angle, gap, source);
     const Pose both =
         Pose(Eigen::Translation3d(source.vector(-3, 3)) *
-             Eigen::AngleAxisd(source.uniform(-3, 3), source.vector(-1, 1).normalized()));
+             Eigen::AngleAxisd{source.uniform(-3, 3), source.vector(-1, 1).normalized()});
     boxes.pose_a = both * boxes.pose_a;
     boxes.pose_b = both * boxes.pose_b;
     const PlacedShape a{boxes.a, boxes.pose_a}, b{boxes.b, boxes.pose_b};

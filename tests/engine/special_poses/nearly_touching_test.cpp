@@ -30,7 +30,7 @@ TEST(NearlyTouching, BoxesThatAllButTouchHaveADistance) {
   for (int n = 0; n < 1000; ++n) {
     const double gap = std::pow(10.0, source.uniform(-15, -9));
     PlacedPair pair{Box{{1, 0.5, 0.75}}, Box{{0.25, 1, 0.5}}, tests::at(0, 0, 0),
-                    tests::at(1.25 + gap, source.uniform(-1, 1), source.uniform(-1, 1))};
+                    tests::at({1.25 + gap, source.uniform(-1, 1), source.uniform(-1, 1)})};
     const Eigen::Matrix3d turn = tests::random_pose(1, source).linear();
     pair.pose_a.prerotate(turn);
     pair.pose_b.prerotate(turn);

@@ -52,7 +52,7 @@ PlacedPair about(const Shape& shape_a, const Shape& shape_b, RandomSource& sourc
   PlacedPair pair{shape_a, shape_b, Pose::Identity(), Pose::Identity()};
   pair.pose_b.linear() = tests::right_turn(static_cast<std::size_t>(source.integer(0, 23)));
   if (source.integer(0, 2) == 0) {
-    const Eigen::AngleAxisd turn(thin(source), source.vector(-1, 1).normalized());
+    const Eigen::AngleAxisd turn{thin(source), source.vector(-1, 1).normalized()};
     pair.pose_b.linear() = turn.toRotationMatrix() * pair.pose_b.linear();
   }
   const int way = source.integer(0, 2);
@@ -139,9 +139,9 @@ TEST(SpecialPoses, ACornerOnTheAxisOfACapsuleLeavesThroughItsSurface) {
   RandomSource source(98);
   for (int n = 0; n < 3000; ++n) {
     const Capsule capsule{source.uniform(0.2, 1), source.uniform(0.2, 1)};
-    PlacedPair pair{capsule,
-                    triangle(source.vector(-0.1, 0.1), source.vector(-1, 1), source.vector(-1, 1)),
-                    tests::random_pose(0, source), tests::random_pose(0, source)};
+    const Vector3d p = source.vector(-0.1, 0.1), q = source.vector(-1, 1), r = source.vector(-1, 1);
+    PlacedPair pair{capsule, triangle(p, q, r), tests::random_pose(0, source),
+                    tests::random_pose(0, source)};
     const Vector3d on_axis(0, 0, n % 4 == 0 ? capsule.half_length : source.uniform(-0.2, 0.2));
     pair.pose_b.translation() =
         pair.pose_a * on_axis - pair.pose_b.linear() * pair.b.as<Mesh>()->vertices()[0];
@@ -154,8 +154,8 @@ ConvexHull rod(RandomSource& source) {
   std::vector<Vector3d> corners;
   const int count = 5 + static_cast<int>(source.integer(0, 5));
   for (int i = 0; i < count; ++i)
-    corners.emplace_back(source.uniform(-width, width), source.uniform(-width, width),
-                         source.uniform(-1, 1));
+    corners.push_back(Vector3d{source.uniform(-width, width), source.uniform(-width, width),
+                               source.uniform(-1, 1)});
   return ConvexHull(corners);
 }
 

@@ -59,7 +59,7 @@ TEST(SpecialPoses, SmallPartnersBesideTheAxisOfARoundOneAreAsDeepAsTheyAre) {
     PlacedPair pair = beside(large, small, ratio, 0, source);
     pair.pose_b.translation() = source.vector(-1, 1) * (2 * smaller_size(pair));
     pair.pose_b.translation().z() += source.uniform(0, 0.25);
-    pair.pose_a.rotate(Eigen::AngleAxisd(source.uniform(0, 3), source.vector(-1, 1).normalized()));
+    pair.pose_a.rotate(Eigen::AngleAxisd{source.uniform(0, 3), source.vector(-1, 1).normalized()});
     pair.pose_b = pair.pose_a * pair.pose_b;
     return pair;
   });

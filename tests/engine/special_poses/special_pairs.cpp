@@ -155,7 +155,7 @@ PlacedPair drawn_pair(RandomSource& source, std::size_t kinds) {
   if (any(8) == 0) pair.pose_b.translation() += source.vector(-1, 1) * 0.3;
   if (change == 1) pair.pose_b.translation() += source.vector(-1, 1) * small(source);
   if (change == 2 || change == 3) {
-    const Eigen::AngleAxisd turn(small(source), source.vector(-1, 1).normalized());
+    const Eigen::AngleAxisd turn{small(source), source.vector(-1, 1).normalized()};
     pair.pose_b.linear() = turn.toRotationMatrix() * pair.pose_b.linear();
   }
   if (change == 4) {

@@ -130,8 +130,8 @@ TEST(SpecialPoses, DepthsThatAreNotProvedAreNearTheLeast) {
   RandomSource source(81);
   for (int n = 0; n < 3000; ++n) {
     PlacedPair pair{shapes[n % 7], shapes[n / 7 % 7], at(0, 0, 0), at(0, 0, 0)};
-    const Eigen::AngleAxisd tilt(std::pow(10.0, source.uniform(-15, -12)),
-                                 source.vector(-1, 1).normalized());
+    const Eigen::AngleAxisd tilt{std::pow(10.0, source.uniform(-15, -12)),
+                                 source.vector(-1, 1).normalized()};
     pair.pose_b.linear() =
         tilt * tests::right_turn(static_cast<std::size_t>(n / 49) % tests::kRightTurns);
     expect_kept(pair, counts);
@@ -202,7 +202,7 @@ TEST(SpecialPoses, ThinCapsulesThatNearlyTouchHavePlanesAsFarApartAsTheirBound) 
     const double angle = n % 3 == 0 ? 0 : std::pow(10.0, source.uniform(-14, 0));
     pair.pose_b.rotate(Eigen::AngleAxisd(angle, Vector3d::UnitX()));
     pair.pose_b.translation() =
-        Vector3d(std::pow(10.0, source.uniform(-8, -2)), 0, source.uniform(-1.5, 1.5));
+        Vector3d{std::pow(10.0, source.uniform(-8, -2)), 0, source.uniform(-1.5, 1.5)};
     const Eigen::Matrix3d turn = tests::random_pose(1, source).linear();
     pair.pose_a.prerotate(turn);
     pair.pose_b.prerotate(turn);
@@ -231,7 +231,7 @@ TEST(SpecialPoses, CapsulesWhoseAxesNearlyMeetPartByTheirAxes) {
     pair.pose_b.rotate(
         Eigen::AngleAxisd(std::pow(10.0, source.uniform(-8, -2)), Vector3d::UnitX()));
     pair.pose_b.translation() =
-        Vector3d(std::pow(10.0, source.uniform(-9, -2)), 0, source.uniform(-1.4, 1.4));
+        Vector3d{std::pow(10.0, source.uniform(-9, -2)), 0, source.uniform(-1.4, 1.4)};
     const Eigen::Matrix3d turn = tests::random_pose(1, source).linear();
     pair.pose_a.prerotate(turn);
     pair.pose_b.prerotate(turn);
@@ -316,8 +316,8 @@ TEST(SpecialPoses, ContactsOfNearlyAlignedCapsAreAsDeepAsTheirWidth) {
   const Shape others[] = {Cylinder{0.9, 0.3}, Box{{0.9, 0.7, 0.3}}, Cone{0.5, 0.75}};
   for (int n = 0; n < 2000; ++n) {
     PlacedPair pair{round[n % 3], others[n / 3 % 3], at(0, 0, 0), at(0, 0, 0)};
-    const Eigen::AngleAxisd tilt(std::pow(10.0, source.uniform(-5, -2)),
-                                 source.vector(-1, 1).normalized());
+    const Eigen::AngleAxisd tilt{std::pow(10.0, source.uniform(-5, -2)),
+                                 source.vector(-1, 1).normalized()};
     pair.pose_b.linear() =
         tilt * tests::right_turn(static_cast<std::size_t>(n) % tests::kRightTurns);
     pair.pose_b.translation() = source.vector(-1, 1) * (n % 2 == 0 ? 0 : 0.2);

@@ -49,8 +49,8 @@ TEST(WayOut, Law15OnAFlatFloorTheNormalIsTheFloors) {
     for (const Shape& shape : bodies(n, source)) {
       Pose pose = tests::random_pose(0, source);
       const double depth = std::pow(10, source.uniform(-5, -1.7));
-      pose.translation() = Vector3d(source.uniform(1.6, 2.4), source.uniform(1.6, 2.4),
-                                    1 + tests::reach_of(shape, pose, kDown) - depth);
+      pose.translation() = Vector3d{source.uniform(1.6, 2.4), source.uniform(1.6, 2.4),
+                                    1 + tests::reach_of(shape, pose, kDown) - depth};
       const Manifold found = find_contacts({shape, pose}, {floor, Pose::Identity()});
       SCOPED_TRACE((std::ostringstream() << n << " " << name_of(shape.kind())).str());
       ASSERT_EQ(found.region_count(), 1u);
@@ -98,8 +98,8 @@ TEST(WayOut, Law15ABridgeLiesOnBothOfItsPiers) {
     cubes.push_back({0, j, 0}), cubes.push_back({3, j, 0});
   for (int n = 0; n < 60; ++n) {
     const Mesh piers = tests::surface_of_cubes(cubes, 1, 1 << (n % 4), source);
-    const Vector3d half(source.uniform(1.2, 2.4), source.uniform(0.1, 0.6),
-                        source.uniform(0.05, 0.3));
+    const Vector3d half{source.uniform(1.2, 2.4), source.uniform(0.1, 0.6),
+                        source.uniform(0.05, 0.3)};
     const double depth = std::pow(10, source.uniform(-4, -1.7));
     Pose pose = tests::at(2 + source.uniform(-0.1, 0.1), 2, 1 + half.z() - depth);
     pose.linear() =
@@ -129,8 +129,8 @@ TEST(WayOut, Law15OverAHoleTheWallsSayNothing) {
   std::erase(cubes, Cube{2, 2, 0});
   for (int n = 0; n < 60; ++n) {
     const Mesh floor = tests::surface_of_cubes(cubes, 0.3, 1 << (n % 4), source);
-    const Vector3d half(source.uniform(0.3, 0.6), source.uniform(0.3, 0.6),
-                        source.uniform(0.1, 0.3));
+    const Vector3d half{source.uniform(0.3, 0.6), source.uniform(0.3, 0.6),
+                        source.uniform(0.1, 0.3)};
     const double depth = std::pow(10, source.uniform(-4, -1.7));
     Pose pose = tests::at(0.75 + source.uniform(-0.05, 0.05), 0.75, 0.3 + half.z() - depth);
     pose.linear() = Eigen::AngleAxisd(source.uniform(0, 6), Vector3d::UnitZ()).toRotationMatrix();
@@ -183,8 +183,8 @@ TEST(WayOut, Law15OfARoughTerrainNothingLeadsDown) {
   const Mesh terrain(vertices, std::span<const TriangleIndices>(triangles));
   for (int n = 0; n < 300; ++n) {
     const double size = source.uniform(0.05, 0.4);
-    const Pose pose = tests::at(source.uniform(-1.5, 1.5), source.uniform(-1.5, 1.5),
-                                0.03 + size * source.uniform(-0.5, 0.9));
+    const Pose pose = tests::at({source.uniform(-1.5, 1.5), source.uniform(-1.5, 1.5),
+                                 0.03 + size * source.uniform(-0.5, 0.9)});
     for (const Shape& shape : {Shape(Sphere{{0, 0, 0}, size}), Shape(Box{{size, size, size}}),
                                Shape(Capsule{size, size}), Shape(Cylinder{size, size}),
                                Shape(Ellipsoid{{0, 0, 0}, {size, size, 0.8 * size}})}) {
@@ -219,14 +219,14 @@ TEST(WayOut, Law15MeshesAtRestAreNotLedSideways) {
   int met = 0;
   for (int n = 0; n < 4000; ++n) {
     const auto sizes = [&] {
-      return Vector3d(source.uniform(0.1, 1), source.uniform(0.1, 1), source.uniform(0.05, 0.5));
+      return Vector3d{source.uniform(0.1, 1), source.uniform(0.1, 1), source.uniform(0.05, 0.5)};
     };
     const Vector3d below = sizes(), above = sizes();
     const Mesh lower = tests::tessellated_box(below, 1), upper = tests::tessellated_box(above, 1);
     const double turns[] = {0, source.uniform(-1e-3, 1e-3), source.uniform(-3, 3)};
     const double lean = std::pow(10, source.uniform(-7, -3));
     const double depth = std::pow(10, source.uniform(-7, -3));
-    const Vector3d axis = Vector3d(source.uniform(-1, 1), source.uniform(-1, 1), 0).normalized();
+    const Vector3d axis = Vector3d{source.uniform(-1, 1), source.uniform(-1, 1), 0}.normalized();
     Pose pose = Pose::Identity();
     pose.linear() =
         (Eigen::AngleAxisd(lean, axis) * Eigen::AngleAxisd(turns[n % 3], Vector3d::UnitZ()))

@@ -47,12 +47,12 @@ bool meet_after(const FlatPair& pair, const Vector3d& normal, double way) {
 void lay(FlatPair& pair, const Vector3d& lower, const Vector3d& upper, RandomSource& source) {
   const double lean = std::pow(10, source.uniform(-9, -2));
   const double depth = std::pow(10, source.uniform(-8, -3));
-  const Vector3d axis = Vector3d(source.uniform(-1, 1), source.uniform(-1, 1), 0).normalized();
+  const Vector3d axis = Vector3d{source.uniform(-1, 1), source.uniform(-1, 1), 0}.normalized();
   const double about = source.uniform(-3, 3) * (source.integer(0, 3) == 0 ? 1e-4 : 1);
   pair.pose.linear() =
       (AngleAxisd(lean, axis) * AngleAxisd(about, Vector3d::UnitZ())).toRotationMatrix();
-  pair.pose.translation() = Vector3d(source.uniform(-0.7, 0.7) * (lower.x() + upper.x()),
-                                     source.uniform(-0.7, 0.7) * (lower.y() + upper.y()), 0);
+  pair.pose.translation() = Vector3d{source.uniform(-0.7, 0.7) * (lower.x() + upper.x()),
+                                     source.uniform(-0.7, 0.7) * (lower.y() + upper.y()), 0};
   pair.pose.translation().z() =
       lower.z() + tests::reach_of(pair.upper, pair.pose, kTowardLower) - depth;
 }

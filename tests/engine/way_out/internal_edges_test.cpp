@@ -78,7 +78,7 @@ TEST(WayOut, Law15WhatLiesOnAFlatFloorWithAHairsLeanFeelsNoCorners) {
     const std::vector<Shape> bodies = {Box{{radius, 0.8 * radius, height}},
                                        Cylinder{radius, height}, Cone{radius, height}};
     for (const Shape& body : bodies) {
-      Pose pose = tests::at(source.uniform(-1, 1), source.uniform(-1, 1), 0);
+      Pose pose = tests::at({source.uniform(-1, 1), source.uniform(-1, 1), 0});
       const double lean = std::pow(10, source.uniform(-9, -5.5));
       pose.rotate(Eigen::AngleAxisd(lean, source.vector(-1, 1).normalized()));
       const double depth = std::pow(10, source.uniform(-7, -4));

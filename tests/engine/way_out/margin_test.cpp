@@ -96,7 +96,7 @@ TEST(Margin, Law15EachPointHasItsOwnHeight) {
     const Mesh floor = tests::tessellated_box({2, 2, 0.5}, 1 + n % 5);
     const double gap = std::pow(10, source.uniform(-4, -2));
     const double angle = source.uniform(0.001, 0.02);
-    Pose pose = tests::at(source.uniform(-1, 1), source.uniform(-1, 1), 0);
+    Pose pose = tests::at({source.uniform(-1, 1), source.uniform(-1, 1), 0});
     pose.linear() = (Eigen::AngleAxisd(source.uniform(-3, 3), Vector3d(0, 0, 1)) *
                      Eigen::AngleAxisd(angle, Vector3d(0, 1, 0)))
                         .toRotationMatrix();
@@ -129,7 +129,7 @@ TEST(Margin, Law15EachPointHasItsOwnHeight) {
 TEST(Margin, Law15ABodyIsABody) {
   RandomSource source(1505);
   const auto extents = [&] {
-    return Vector3d(source.uniform(0.1, 0.6), source.uniform(0.1, 0.6), source.uniform(0.1, 0.6));
+    return Vector3d{source.uniform(0.1, 0.6), source.uniform(0.1, 0.6), source.uniform(0.1, 0.6)};
   };
   int asked = 0;
   for (int n = 0; n < 1500; ++n) {
@@ -141,7 +141,7 @@ TEST(Margin, Law15ABodyIsABody) {
     const Pose pose_a = is_aligned ? Pose(Pose::Identity()) : tests::random_pose(0, source);
     Pose pose_b = is_aligned ? Pose(Pose::Identity()) : tests::random_pose(0, source);
     pose_b.translation() =
-        1.5 * Vector3d(source.uniform(-1, 1), source.uniform(-1, 1), source.uniform(-1, 1));
+        1.5 * Vector3d{source.uniform(-1, 1), source.uniform(-1, 1), source.uniform(-1, 1)};
     const ShapeDistance far = distance({box_a, pose_a}, {box_b, pose_b});
     const double gap = std::pow(10, source.uniform(-5, -1));
     pose_b.translation() -= far.normal * (far.distance - gap);

@@ -53,13 +53,13 @@ TEST(Sides, Law15WhatIsInASolidLeavesByTheNearestWay) {
   RandomSource source(1511);
   int asked = 0, over_faces = 0;
   for (int n = 0; n < 30; ++n) {
-    const Vector3d half(source.uniform(0.9, 1.6), source.uniform(0.9, 1.6),
-                        source.uniform(0.9, 1.6));
+    const Vector3d half{source.uniform(0.9, 1.6), source.uniform(0.9, 1.6),
+                        source.uniform(0.9, 1.6)};
     const Shape solid = tests::tessellated_box(half, 1 + n % 6);
     for (const Shape& body : small_bodies(n, source)) {
       Pose pose = tests::random_pose(0, source);
       pose.translation() =
-          0.4 * Vector3d(source.uniform(-1, 1), source.uniform(-1, 1), source.uniform(-1, 1));
+          0.4 * Vector3d{source.uniform(-1, 1), source.uniform(-1, 1), source.uniform(-1, 1)};
       if (intersects({body, pose}, {solid, Pose::Identity()})) continue;
       ++asked;
       const double depth = way_out_of(half, body, pose);
@@ -156,7 +156,7 @@ TEST(Sides, Law15WhatIsBehindASurfaceLeavesInFront) {
     for (const Shape& body : small_bodies(n, source)) {
       Pose pose = tests::random_pose(0, source);
       const double below = source.uniform(0.01, 0.8);
-      pose.translation() = Vector3d(source.uniform(-1, 1), source.uniform(-1, 1), 0);
+      pose.translation() = Vector3d{source.uniform(-1, 1), source.uniform(-1, 1), 0};
       pose.translation().z() = -below - tests::reach_of(body, pose, {0, 0, 1});
       const Manifold found = find_contacts({body, pose}, {floor}, {.sides_b = sides});
       SCOPED_TRACE(
@@ -288,8 +288,8 @@ TEST(Sides, WhatTouchesFromBehindHasContacts) {
     const Mesh sheet = uneven_sheet(source);
     const MeshSides sides{.sides = Sides::OneSided, .thickness = 0.2};
     const Shape box = Box{{0.75, 0.375, 0.125}};
-    const Pose pose = tests::at(1.75 - std::pow(10, source.uniform(-4, -0.5)),
-                                source.uniform(-0.5, 0.5), source.uniform(-0.4, -0.2));
+    const Pose pose = tests::at({1.75 - std::pow(10, source.uniform(-4, -0.5)),
+                                 source.uniform(-0.5, 0.5), source.uniform(-0.4, -0.2)});
     World world({.threads = 1});
     world.add({box, pose});
     world.add({sheet}, {.kind = BodyKind::Static, .sides = sides});

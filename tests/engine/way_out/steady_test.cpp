@@ -100,13 +100,13 @@ Steadiness steadiness(int count, std::uint64_t seed, Make&& make) {
     Lying lying = make(n, source);
     const double lean = std::pow(10, source.uniform(-7, -2.5));
     const double depth = std::pow(10, source.uniform(-6, -3));
-    const Vector3d axis = Vector3d(source.uniform(-1, 1), source.uniform(-1, 1), 0).normalized();
+    const Vector3d axis = Vector3d{source.uniform(-1, 1), source.uniform(-1, 1), 0}.normalized();
     const double about = n % 2 == 1 && lying.most_aside.z() > 0 ? source.uniform(-3, 3)
                                                                 : source.uniform(-1e-3, 1e-3);
     Pose& pose = lying.pose_upper;
     pose.linear() = turned(lean, axis) * turned(about, Vector3d::UnitZ()) * pose.linear();
-    pose.translation() = Vector3d(source.uniform(-1, 1) * lying.most_aside.x(),
-                                  source.uniform(-1, 1) * lying.most_aside.y(), 0);
+    pose.translation() = Vector3d{source.uniform(-1, 1) * lying.most_aside.x(),
+                                  source.uniform(-1, 1) * lying.most_aside.y(), 0};
     pose.translation().z() = lying.height + tests::reach_of(lying.upper, pose, kDownward) - depth;
     // No point moves by more than that.
     const double size = std::min(width_of(lying.lower), width_of(lying.upper));

@@ -76,7 +76,7 @@ TEST(WayOut, Law15FlatGroundHoldsABodyOnAllSidesOfItsMiddle) {
           pose.linear() =
               Eigen::AngleAxisd(lean * source.uniform(-1, 1), axis.normalized()).toRotationMatrix();
           pose.translation() =
-              Vector3d(source.uniform(-0.8, 0.8), source.uniform(-0.8, 0.8), kTall - kDepth);
+              Vector3d{source.uniform(-0.8, 0.8), source.uniform(-0.8, 0.8), kTall - kDepth};
           const Manifold manifold = find_contacts({mesh}, {body, pose});
           EXPECT_GE(support_around(manifold, pose.translation()), kLeast)
               << name_of(body.kind()) << " on " << cells << " cells, leaning by " << lean << ", at "

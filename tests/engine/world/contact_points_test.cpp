@@ -190,7 +190,7 @@ void hunt_in_special_position(std::uint64_t seed, int count) {
       const double jitter = any_of(jitters, source);
       b.pose.translation() += source.vector(-jitter, jitter);
       b.pose.linear() =
-          Eigen::AngleAxisd(source.uniform(-jitter, jitter), source.vector(-1, 1).normalized())
+          Eigen::AngleAxisd{source.uniform(-jitter, jitter), source.vector(-1, 1).normalized()}
               .toRotationMatrix() *
           b.pose.linear();
       if (source.integer(0, 1) == 0) {
@@ -260,10 +260,10 @@ TEST(ContactPoints, OfBoxesThatAreNearlyFlush) {
     const double jitter = 0x1p-8 * source.uniform(0, 1.5) * source.uniform(0, 1);
     const Placed a{Box{{0.5, 0.5, 0.5}}, random_pose(1, source)};
     Placed b = a;
-    b.pose = a.pose * at(source.uniform(-jitter, jitter), source.uniform(-jitter, jitter),
-                         0.999 + source.uniform(-jitter, 0));
+    b.pose = a.pose * at({source.uniform(-jitter, jitter), source.uniform(-jitter, jitter),
+                          0.999 + source.uniform(-jitter, 0)});
     b.pose.rotate(
-        Eigen::AngleAxisd(source.uniform(-jitter, jitter), source.vector(-1, 1).normalized()));
+        Eigen::AngleAxisd{source.uniform(-jitter, jitter), source.vector(-1, 1).normalized()});
     expect_on_both(a, b, "boxes " + std::to_string(n));
   }
 }

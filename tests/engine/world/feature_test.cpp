@@ -21,7 +21,7 @@ using tests::at;
 /// Moved and turned by up to so much, metres and radians.
 Pose jittered(const Pose& pose, double size, RandomSource& source) {
   const Eigen::Matrix3d turn =
-      Eigen::AngleAxisd(source.uniform(-size, size), source.vector(-1, 1).normalized())
+      Eigen::AngleAxisd{source.uniform(-size, size), source.vector(-1, 1).normalized()}
           .toRotationMatrix();
   Pose next = pose;
   next.linear() = turn * pose.linear();
@@ -42,8 +42,8 @@ double kept_share(const Shape& lower, const Shape& upper, const Pose& pose, doub
   std::set<ContactFeature> before;
   std::size_t kept = 0, all = 0;
   for (int step = 0; step < 400; ++step) {
-    const Manifold m = find_contacts({lower, jittered(at(0), jitter, source)},
-                                     {upper, jittered(pose, jitter, source)});
+    const Pose below = jittered(at(0), jitter, source), above = jittered(pose, jitter, source);
+    const Manifold m = find_contacts({lower, below}, {upper, above});
     EXPECT_FALSE(m.empty());
     const std::set<ContactFeature> now = features_of(m);
     EXPECT_EQ(now.size(), m.size());

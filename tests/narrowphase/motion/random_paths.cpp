@@ -21,8 +21,7 @@ PathQuery generic(RandomSource& source) {
 
 /// Any finite double.
 double any_double(RandomSource& source) {
-  const double size =
-      std::ldexp(source.uniform(0.5, 1), static_cast<int>(source.integer(-1073, 1024)));
+  const double size = source.uniform_at_scale(0.5, 1, -1073, 1024);
   return source.integer(0, 1) != 0 ? size : -size;
 }
 
@@ -153,9 +152,10 @@ PathQuery random_paths(int kind, RandomSource& source) {
       }
       return query;
     }
-    case 12:
-      return scaled(with_ties(on_lattice(source, 3), source),
-                    source.integer(0, 1) != 0 ? 900 : -900);
+    case 12: {
+      const auto ties = with_ties(on_lattice(source, 3), source);
+      return scaled(ties, source.integer(0, 1) != 0 ? 900 : -900);
+    }
     default: {
       PathQuery query = flattened(with_ties(on_lattice(source, 3), source), false);
       double& x = query.path[static_cast<int>(source.integer(0, 3))].start.z();

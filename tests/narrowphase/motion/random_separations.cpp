@@ -63,8 +63,8 @@ SeparationQuery grazing(RandomSource& source) {
   const PointPath &p = query.paths.path[0], &q = query.paths.path[2];
   const Eigen::Vector3d from = p.start - q.start, way = (p.end - q.end) - from;
   const double time = std::min(std::max(-from.dot(way) / way.squaredNorm(), 0.0), 1.0);
-  query.separation =
-      (from + time * way).norm() * (1 + std::ldexp(source.uniform(-1, 1), -one_of(source, 54)));
+  const double more = source.uniform(-1, 1);
+  query.separation = (from + time * way).norm() * (1 + std::ldexp(more, -one_of(source, 54)));
   return query;
 }
 

@@ -58,7 +58,8 @@ BallQuery grazing(RandomSource& source) {
   const Eigen::Vector3d& d = query.displacement;
   const Eigen::Vector3d to_corner = query.a.b - query.b.a;
   const double radius = (to_corner - to_corner.dot(d) / d.squaredNorm() * d).norm();
-  return with_ball(query, radius * (1 + std::ldexp(source.uniform(-1, 1), -any_of(source, 54))));
+  const double more = source.uniform(-1, 1);
+  return with_ball(query, radius * (1 + std::ldexp(more, -any_of(source, 54))));
 }
 
 /// A ball that rests on a corner, an edge or the face, or is in it, at first.
@@ -82,8 +83,7 @@ double* coordinate_of(BallQuery& query, int point, int axis) {
 }
 
 double double_of_any_size(RandomSource& source) {
-  const double size =
-      std::ldexp(source.uniform(0.5, 1), static_cast<int>(source.integer(-1073, 1023)));
+  const double size = source.uniform_at_scale(0.5, 1, -1073, 1023);
   return source.integer(0, 1) != 0 ? size : -size;
 }
 
@@ -130,7 +130,8 @@ BallQuery random_ball_query(int kind, RandomSource& source) {
       return query;
     }
     case 16: {
-      BallQuery query = with_ball(random_cast(any_of(source, 2), source), source.uniform(0, 1));
+      const CastQuery cast = random_cast(any_of(source, 2), source);
+      BallQuery query = with_ball(cast, source.uniform(0, 1));
       const int exponent = static_cast<int>(source.integer(-80, -20));
       for (int i = 0; i < 3; ++i) {
         for (int k = 0; k < 3; ++k)
@@ -143,7 +144,8 @@ BallQuery random_ball_query(int kind, RandomSource& source) {
     case 18:
       return scaled(random_ball_query(any_of(source, 16), source), -1060);
     default: {
-      BallQuery query = with_ball(random_cast(0, source), source.uniform(0, 1));
+      const CastQuery cast = random_cast(0, source);
+      BallQuery query = with_ball(cast, source.uniform(0, 1));
       for (int i = 0; i < 5; ++i) {
         for (int k = 0; k < 3; ++k) {
           if (source.integer(0, 3) == 0) *coordinate_of(query, i, k) = double_of_any_size(source);

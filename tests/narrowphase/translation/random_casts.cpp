@@ -108,8 +108,7 @@ CastQuery needles(RandomSource& source) {
 }
 
 double any_double(RandomSource& source) {
-  const double size =
-      std::ldexp(source.uniform(0.5, 1), static_cast<int>(source.integer(-1073, 1024)));
+  const double size = source.uniform_at_scale(0.5, 1, -1073, 1024);
   return source.integer(0, 1) != 0 ? size : -size;
 }
 
@@ -156,11 +155,12 @@ CastQuery random_cast(int kind, RandomSource& source) {
           source.integer(0, 1) != 0 ? aimed(on_lattice(source, 4), source) : generic(source, 3),
           {exponent, exponent, exponent});
     }
-    case 12:
-      return scaled(
-          source.integer(0, 1) != 0 ? on_lattice(source, 3) : generic(source, 3),
-          {static_cast<int>(source.integer(-900, 900)), static_cast<int>(source.integer(-900, 900)),
-           static_cast<int>(source.integer(-900, 900))});
+    case 12: {
+      const auto path = source.integer(0, 1) != 0 ? on_lattice(source, 3) : generic(source, 3);
+      return scaled(path, {static_cast<int>(source.integer(-900, 900)),
+                           static_cast<int>(source.integer(-900, 900)),
+                           static_cast<int>(source.integer(-900, 900))});
+    }
     default: {
       CastQuery query = generic(source, 2);
       for (int i = 0; i < 7; ++i) {

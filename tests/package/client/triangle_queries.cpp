@@ -49,7 +49,7 @@ void count(Answers& answers, Digest& digest, bool is_hit) {
 
 graze::Aabb random_box(Random& random) {
   const Eigen::Vector3d center = random.point(4, -1);
-  const Eigen::Vector3d half(random.integer(2), random.integer(2), random.integer(2));
+  const Eigen::Vector3d half{random.integer(2), random.integer(2), random.integer(2)};
   return {center - half.cwiseAbs(), center + half.cwiseAbs()};
 }
 
