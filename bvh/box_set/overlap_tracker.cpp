@@ -1,5 +1,5 @@
 #include <graze/bvh/box_set/overlap_tracker.h>
-#include <graze/bvh/box_set/search/sorted_pairs.h>
+#include <graze/bvh/box_set/search/pair_kernels.h>
 
 #include <algorithm>
 #include <new>
@@ -18,6 +18,43 @@ BoxPair ordered_pair(std::uint32_t s, std::uint32_t t) {
 }
 
 }  // namespace
+
+void FormerBoxes::clear() {
+  high_.clear();
+  low_.clear();
+  number_.clear();
+  size_ = 0;
+}
+
+void FormerBoxes::add(std::uint32_t number, const OrderedBox& box) {
+  const std::size_t lane = size_++ % kLanes;
+  if (lane == 0) {
+    high_.push_back(empty_block());
+    low_.emplace_back();
+    number_.resize(number_.size() + kLanes, kNobody);
+  }
+  set_lane(high_.back(), low_.back(), lane, box);
+  number_[size_ - 1] = number;
+}
+
+void FormerBoxes::find_pairs(PairBuffer& out) {
+  out.clear();
+  if (size_ == 0) return;
+  layer_.reshape(0, static_cast<std::uint32_t>(high_.size()));
+  layer_.refit_all(high_.data());
+  const TreeView tree = layer_.view(high_.data(), low_.data(), number_.data());
+  const auto level = static_cast<std::uint8_t>(layer_.top - 1);
+  const BlockPair all = {0, 0, level, level, 0};
+  bvh::find_pairs(tree, tree, {&all, 1}, out);
+}
+
+std::size_t FormerBoxes::bytes() const {
+  std::size_t sum = high_.capacity() * sizeof(Block) + low_.capacity() * sizeof(LowBlock) +
+                    number_.capacity() * sizeof(std::uint32_t);
+  for (const std::vector<Block>& level : layer_.upper)
+    sum += level.capacity() * sizeof(Block);
+  return sum;
+}
 
 bool OverlapTracker::are_many(std::size_t changes) const {
   return changes > most_changes();
@@ -227,7 +264,7 @@ void OverlapTracker::edit_list() {
 void OverlapTracker::search_movers() {
   if (!index_.is_built()) index_.build(pairs_);
   set_.order().refit();
-  set_.order().sort_if_crowded(changed_.size());  // before movers are looked up in it
+  set_.order().sort_before_lookups(changed_.size());
   list_former_boxes();
   list_movers();
   compare_places();
@@ -240,7 +277,7 @@ void OverlapTracker::search_movers() {
 
 std::span<const BoxPair> OverlapTracker::sorted_pairs() {
   if (!is_sorted_) {
-    sort_pairs(pairs_.pairs(), set_.store().proxy_limit(), starts_, sorted_);
+    sort_pairs(pairs_.pairs(), set_.store().proxy_limit(), ends_, sorted_);
     is_sorted_ = true;
   }
   return sorted_.pairs();
@@ -276,7 +313,7 @@ std::size_t OverlapTracker::bytes_for_pairs() const {
                             begun_.capacity() + ended_.capacity() + former_pairs_.capacity() +
                             rows_to_sort_.left.capacity() + rows_to_sort_.right.capacity();
   return pairs * sizeof(BoxPair) + rows_.bytes() + rows_before_.bytes() + index_.bytes() +
-         starts_.capacity() * 4 + movers_.capacity() * sizeof(Mover) +
+         ends_.capacity() * 4 + movers_.capacity() * sizeof(Mover) +
          changed_.capacity() * sizeof(Changed) + is_changed_.capacity() / 8 +
          hits_.capacity() * sizeof(MoverHit) +
          (lookup_.here.capacity() + lookup_.below.capacity()) * sizeof(Reached) + former_.bytes();

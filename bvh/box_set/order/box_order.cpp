@@ -1,5 +1,4 @@
 #include <graze/bvh/box_set/order/box_order.h>
-#include <graze/bvh/box_set/store/refit_kernels.h>
 
 #include <algorithm>
 
@@ -204,7 +203,7 @@ void BoxOrder::prepare_for_queries() {
   }
 }
 
-void BoxOrder::sort_if_crowded(std::size_t lookups) {
+void BoxOrder::sort_before_lookups(std::size_t lookups) {
   const double blocks = static_cast<double>(store_.high.size());
   if (store_.newcomers > kFewNewcomers + store_.size / kNewcomerShare ||
       store_.holes > kFewNewcomers + store_.size / kHoleShare || inflation_ > blocks) {

@@ -31,8 +31,9 @@ class BoxOrder {
   void sort_if_worthwhile();
   void sort();
 
-  /// The same before so many lookups, for boxes that came in a crowd.
-  void sort_if_crowded(std::size_t lookups);
+  /// Sorts all boxes, or those that came since the last sort, if so many lookups would otherwise
+  /// cost more than that.
+  void sort_before_lookups(std::size_t lookups);
 
   /// A search for all pairs met so many pairs of blocks: the price of the order.
   void note_search(std::uint64_t met);

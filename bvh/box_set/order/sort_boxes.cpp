@@ -1,7 +1,6 @@
 // Putting the boxes of a set into a new order.
 
 #include <graze/bvh/box_set/order/box_order.h>
-#include <graze/bvh/box_set/order/size_class.h>
 #include <graze/bvh/box_set/order/size_groups.h>
 
 #include <algorithm>

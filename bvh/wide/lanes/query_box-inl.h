@@ -58,6 +58,7 @@ struct Rows {
   }
 };
 
+/// How large the box of a child is: the sum of its half extents.
 HWY_INLINE float size_of(const WideChildRef& child) {
   const WideNode& node = *child.node;
   return node.half[0][child.lane] + node.half[1][child.lane] + node.half[2][child.lane];
