@@ -25,7 +25,8 @@ double BoxOrder::predicted_excess() const {
   return static_cast<double>(met_sorted_) * inflation_ / std::max(1.0, blocks);
 }
 
-void BoxOrder::sort_if_worthwhile() {
+void BoxOrder::prepare_for_search() {
+  refit();
   const double cost = kSortCost * static_cast<double>(store_.high.size());
   if (excess_ + predicted_excess() > cost || store_.holes > kLanes + store_.size / 8) {
     sort();

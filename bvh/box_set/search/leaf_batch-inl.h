@@ -108,8 +108,8 @@ class LeafBatch {
   std::uint64_t met() const { return met_; }
 
  private:
-  static constexpr std::uint32_t kPairs = 64;
-  static constexpr std::uint32_t kAhead = 4;
+  static constexpr std::uint32_t kPairs = 64;  ///< in a batch
+  static constexpr std::uint32_t kAhead = 4;   ///< pairs whose blocks are fetched ahead
 
   struct LeafPair {
     std::uint32_t block[2];

@@ -198,6 +198,7 @@ class FrontOutlook {
   bool is_predicted_;
 };
 
+/// The budgets of pairs that a pass looks at in any case, or does not look at by their budgets.
 inline constexpr float kAtOnce = -std::numeric_limits<float>::infinity();
 inline constexpr float kNever = std::numeric_limits<float>::infinity();
 

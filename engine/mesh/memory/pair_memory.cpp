@@ -207,6 +207,9 @@ HWY_NOINLINE TrianglePairs find_pairs(const PlacedMeshView& mesh_a, const Placed
 
 }  // namespace
 
+// Public functions do their work in in_standard_arithmetic(): it sees to it that the CPU rounds as
+// all error bounds take for granted, and calls what it is given.
+
 bool intersects(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b, PairMemory& memory,
                 const MemoryQuerySettings& settings, Work* work) {
   return bvh::in_standard_arithmetic([&]() -> bool {
