@@ -136,8 +136,7 @@ class FrontOutlook {
       least = hn::Min(least, hn::IfThenElse(is_kept, lasts, least));
       near |= bits_of(tag, hn::AndNot(is_far, is_asked)) << lane;
       const auto never = hn::Set(tag, std::numeric_limits<float>::infinity());
-      PlaneStore<bounds>::write_gaps(tag, planes, lane,
-                                     hn::IfThenElse(is_kept, hn::Add(stored, gained), never));
+      hn::Store(hn::IfThenElse(is_kept, hn::Add(stored, gained), never), tag, planes.gap + lane);
     }
     return {near, hn::GetLane(hn::MinOfLanes(tag, least))};
   }

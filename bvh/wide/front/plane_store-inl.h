@@ -113,6 +113,18 @@ HWY_INLINE hn::Vec<AnyTag> if_near(AnyTag tag, hn::Vec<AnyTag> gap,
   return hn::IfThenElse(hn::Lt(squared_distance, farthest), gap, hn::Neg(farthest));
 }
 
+/// Stores gaps in common units: along the direction that was found, and along the same as it is
+/// stored.
+template <typename AnyTag, std::size_t lanes>
+HWY_INLINE void store_gaps(AnyTag tag, FoundPlanes<lanes>& found, std::size_t lane,
+                           hn::Vec<AnyTag> gap, hn::Vec<AnyTag> along_stored,
+                           hn::Vec<AnyTag> squared_distance, float unit_of_tested) {
+  const auto unit = hn::Set(tag, unit_of_tested * kShrink);
+  hn::Store(hn::Mul(gap, unit), tag, found.gap + lane);
+  hn::Store(if_near(tag, hn::Mul(along_stored, unit), squared_distance), tag,
+            found.stored_gap + lane);
+}
+
 /// What a front keeps of gaps where it is to tell whether anything meets.
 template <FrontBounds bounds>
 struct PlaneStore;
@@ -133,12 +145,6 @@ struct PlaneStore<FrontBounds::Intersection> {
       normal[i] = hn::ConvertTo(tag, hn::PromoteTo(whole, steps));
     }
     return hn::Load(tag, planes.gap + lane);
-  }
-
-  template <typename AnyTag, std::size_t lanes>
-  HWY_INLINE static void write_gaps(AnyTag tag, Planes<lanes>& planes, std::size_t lane,
-                                    hn::Vec<AnyTag> gaps) {
-    hn::Store(gaps, tag, planes.gap + lane);
   }
 
   /// From `lane` on: the best that was found, and gaps along that. Points of both are no further
@@ -162,11 +168,9 @@ struct PlaneStore<FrontBounds::Intersection> {
           hn::MulSub(stored, hn::Set(tag, Planes<lanes>::kStep), hn::Mul(normal[i], shorter));
       off = hn::MulAdd(change, change, off);
     }
-    const auto unit = hn::Set(tag, unit_of_tested * kShrink);
-    hn::Store(hn::Mul(gap, unit), tag, found.gap + lane);
     const auto loss = root_above(tag, hn::Mul(off, squared_distance));
-    const auto stored_gap = hn::Mul(hn::MulSub(gap, shorter, loss), unit);
-    hn::Store(if_near(tag, stored_gap, squared_distance), tag, found.stored_gap + lane);
+    store_gaps(tag, found, lane, gap, hn::MulSub(gap, shorter, loss), squared_distance,
+               unit_of_tested);
   }
 
   template <typename AnyTag>
@@ -191,12 +195,6 @@ struct PlaneStore<FrontBounds::Distance> {
   }
 
   template <typename AnyTag, std::size_t lanes>
-  HWY_INLINE static void write_gaps(AnyTag tag, Planes<lanes>& planes, std::size_t lane,
-                                    hn::Vec<AnyTag> gaps) {
-    hn::Store(gaps, tag, planes.gap + lane);
-  }
-
-  template <typename AnyTag, std::size_t lanes>
   HWY_INLINE static void write(AnyTag tag, Planes<lanes>& planes, FoundPlanes<lanes>& found,
                                std::size_t lane, hn::Vec<AnyTag> gap,
                                const hn::Vec<AnyTag> (&normal)[3], hn::Vec<AnyTag> squared_distance,
@@ -205,11 +203,8 @@ struct PlaneStore<FrontBounds::Distance> {
       hn::Store(normal[i], tag, planes.normal[i] + lane);
       hn::Store(normal[i], tag, found.normal[i] + lane);
     }
-    const auto unit = hn::Set(tag, unit_of_tested * kShrink);
     const auto loss = hn::Mul(root_above(tag, squared_distance), hn::Set(tag, kDirectionError));
-    hn::Store(hn::Mul(gap, unit), tag, found.gap + lane);
-    const auto stored_gap = hn::Mul(hn::Sub(gap, loss), unit);
-    hn::Store(if_near(tag, stored_gap, squared_distance), tag, found.stored_gap + lane);
+    store_gaps(tag, found, lane, gap, hn::Sub(gap, loss), squared_distance, unit_of_tested);
   }
 
   template <typename AnyTag>
