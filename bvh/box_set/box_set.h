@@ -15,7 +15,8 @@ namespace graze::bvh {
 /// sort. Finds what overlaps, exactly on the doubles given. It holds where boxes are kept, in which
 /// order, and how they are searched.
 ///
-/// After insert(), move(), erase() or a move of many call refit() before finding anything.
+/// After insert(), move(), erase() or a move of many one of BoxOrder's functions that prepare has
+/// to be called before anything is found.
 ///
 /// What throws for want of memory has lost no box: insert() has not happened, and what puts boxes
 /// in order can be asked for again. move() and erase() throw nothing: where there is no memory for

@@ -1,5 +1,5 @@
 #include <graze/bvh/box_set/overlap_tracker.h>
-#include <graze/bvh/box_set/search/sorted_pairs.h>
+#include <graze/bvh/box_set/search/pair_kernels.h>
 
 #include <algorithm>
 #include <new>
@@ -18,53 +18,6 @@ BoxPair ordered_pair(std::uint32_t s, std::uint32_t t) {
 }
 
 }  // namespace
-
-bool OverlapTracker::are_many(std::size_t changes) const {
-  return changes > most_changes();
-}
-
-std::size_t OverlapTracker::most_changes() const {
-  return kAlwaysFew + set_.store().size / kFewShare;
-}
-
-/// Before the proxy's box changes. What there is no memory to note is not noted, as if it were one
-/// of many.
-void OverlapTracker::note(std::uint32_t proxy) {
-  if (have_many_changed_) return;
-  try {
-    note_one(proxy);
-  } catch (const std::bad_alloc&) {
-    note_many();
-  }
-}
-
-void OverlapTracker::note_one(std::uint32_t proxy) {
-  if (proxy >= is_changed_.size()) is_changed_.resize(proxy + std::size_t{1});
-  if (is_changed_[proxy]) return;
-  if (are_many(changed_.size() + 1)) {
-    note_many();
-    return;
-  }
-  if (changed_.size() == changed_.capacity())
-    changed_.reserve(std::min(2 * changed_.size() + 8, most_changes()));
-  changed_.push_back({set_.store().contains(proxy) ? set_.store().box(proxy) : no_box(),
-                      set_.store().place(proxy), proxy});
-  is_changed_[proxy] = true;
-}
-
-/// From here to the next update nobody asks what was where.
-void OverlapTracker::note_many() {
-  if (have_many_changed_) return;
-  forget_changes();
-  have_many_changed_ = true;
-}
-
-void OverlapTracker::forget_changes() {
-  for (const Changed& changed : changed_)
-    is_changed_[changed.proxy] = false;
-  changed_.clear();
-  have_many_changed_ = false;
-}
 
 void OverlapTracker::insert(std::uint32_t proxy, const Aabb& box) {
   wait({Verb::Insert, proxy, box});
@@ -107,6 +60,53 @@ void OverlapTracker::end_waiting() {
   waiting_count_ = 0;
 }
 
+/// Before the proxy's box changes. What there is no memory to note is not noted, as if it were one
+/// of many.
+void OverlapTracker::note(std::uint32_t proxy) {
+  if (have_many_changed_) return;
+  try {
+    note_one(proxy);
+  } catch (const std::bad_alloc&) {
+    note_many();
+  }
+}
+
+void OverlapTracker::note_one(std::uint32_t proxy) {
+  if (proxy >= is_changed_.size()) is_changed_.resize(proxy + std::size_t{1});
+  if (is_changed_[proxy]) return;
+  if (are_many(changed_.size() + 1)) {
+    note_many();
+    return;
+  }
+  if (changed_.size() == changed_.capacity())
+    changed_.reserve(std::min(2 * changed_.size() + 8, most_changes()));
+  changed_.push_back({set_.store().contains(proxy) ? set_.store().box(proxy) : no_box(),
+                      set_.store().place(proxy), proxy});
+  is_changed_[proxy] = true;
+}
+
+/// From here to the next update nobody asks what was where.
+void OverlapTracker::note_many() {
+  if (have_many_changed_) return;
+  forget_changes();
+  have_many_changed_ = true;
+}
+
+void OverlapTracker::forget_changes() {
+  for (const Changed& changed : changed_)
+    is_changed_[changed.proxy] = false;
+  changed_.clear();
+  have_many_changed_ = false;
+}
+
+bool OverlapTracker::are_many(std::size_t changes) const {
+  return changes > most_changes();
+}
+
+std::size_t OverlapTracker::most_changes() const {
+  return kAlwaysFew + set_.store().size / kFewShare;
+}
+
 bool OverlapTracker::update() {
   end_waiting();
   begun_.clear();
@@ -126,8 +126,7 @@ bool OverlapTracker::update() {
 }
 
 void OverlapTracker::search_all() {
-  set_.order().refit();
-  set_.order().sort_if_worthwhile();
+  set_.order().prepare_for_search();
   set_.find_all_pairs(before_);
   std::swap(pairs_, before_);
   std::swap(rows_, rows_before_);
@@ -138,10 +137,17 @@ void OverlapTracker::search_all() {
   ++searches_for_all_;
 }
 
-void OverlapTracker::sort_movers() {
-  std::sort(movers_.begin(), movers_.end(), [](const Mover& s, const Mover& t) {
-    return s.place != t.place ? s.place < t.place : s.change < t.change;
-  });
+void OverlapTracker::search_movers() {
+  if (!index_.is_built()) index_.build(pairs_);
+  set_.order().prepare_for_lookups(changed_.size());
+  list_former_boxes();
+  list_movers();
+  compare_places();
+  edit_list();
+  if (begun_.size() + ended_.size() != 0) is_grouped_ = is_sorted_ = false;
+  has_difference_ = true;
+  is_difference_sorted_ = false;
+  ++searches_for_movers_;
 }
 
 /// Neighbours share blocks of the small tree.
@@ -164,6 +170,12 @@ void OverlapTracker::list_movers() {
     movers_.push_back({place != kNobody ? place : changed_[i].place, i});
   }
   sort_movers();
+}
+
+void OverlapTracker::sort_movers() {
+  std::sort(movers_.begin(), movers_.end(), [](const Mover& s, const Mover& t) {
+    return s.place != t.place ? s.place < t.place : s.change < t.change;
+  });
 }
 
 /// Both places of a mover are looked up at once, after all have moved. That tells what began and
@@ -224,26 +236,22 @@ void OverlapTracker::edit_list() {
   }
 }
 
-void OverlapTracker::search_movers() {
-  if (!index_.is_built()) index_.build(pairs_);
-  set_.order().refit();
-  set_.order().sort_if_crowded(changed_.size());  // before movers are looked up in it
-  list_former_boxes();
-  list_movers();
-  compare_places();
-  edit_list();
-  if (begun_.size() + ended_.size() != 0) is_grouped_ = is_sorted_ = false;
-  has_difference_ = true;
-  is_difference_sorted_ = false;
-  ++searches_for_movers_;
-}
-
 std::span<const BoxPair> OverlapTracker::sorted_pairs() {
   if (!is_sorted_) {
-    sort_pairs(pairs_.pairs(), set_.store().proxy_limit(), starts_, sorted_);
+    sort_pairs(pairs_.pairs(), set_.store().proxy_limit(), ends_, sorted_);
     is_sorted_ = true;
   }
   return sorted_.pairs();
+}
+
+std::span<const BoxPair> OverlapTracker::begun() {
+  work_out_difference();
+  return begun_.pairs();
+}
+
+std::span<const BoxPair> OverlapTracker::ended() {
+  work_out_difference();
+  return ended_.pairs();
 }
 
 void OverlapTracker::work_out_difference() {
@@ -261,25 +269,52 @@ void OverlapTracker::work_out_difference() {
   has_difference_ = true;
 }
 
-std::span<const BoxPair> OverlapTracker::begun() {
-  work_out_difference();
-  return begun_.pairs();
-}
-
-std::span<const BoxPair> OverlapTracker::ended() {
-  work_out_difference();
-  return ended_.pairs();
-}
-
 std::size_t OverlapTracker::bytes_for_pairs() const {
   const std::size_t pairs = pairs_.capacity() + before_.capacity() + sorted_.capacity() +
                             begun_.capacity() + ended_.capacity() + former_pairs_.capacity() +
                             rows_to_sort_.left.capacity() + rows_to_sort_.right.capacity();
   return pairs * sizeof(BoxPair) + rows_.bytes() + rows_before_.bytes() + index_.bytes() +
-         starts_.capacity() * 4 + movers_.capacity() * sizeof(Mover) +
+         ends_.capacity() * 4 + movers_.capacity() * sizeof(Mover) +
          changed_.capacity() * sizeof(Changed) + is_changed_.capacity() / 8 +
          hits_.capacity() * sizeof(MoverHit) +
          (lookup_.here.capacity() + lookup_.below.capacity()) * sizeof(Reached) + former_.bytes();
+}
+
+void FormerBoxes::clear() {
+  high_.clear();
+  low_.clear();
+  number_.clear();
+  size_ = 0;
+}
+
+void FormerBoxes::add(std::uint32_t number, const OrderedBox& box) {
+  const std::size_t lane = size_++ % kLanes;
+  if (lane == 0) {
+    high_.push_back(empty_block());
+    low_.emplace_back();
+    number_.resize(number_.size() + kLanes, kNobody);
+  }
+  set_lane(high_.back(), low_.back(), lane, box);
+  number_[size_ - 1] = number;
+}
+
+void FormerBoxes::find_pairs(PairBuffer& out) {
+  out.clear();
+  if (size_ == 0) return;
+  layer_.reshape(0, static_cast<std::uint32_t>(high_.size()));
+  layer_.refit_all(high_.data());
+  const TreeView tree = layer_.view(high_.data(), low_.data(), number_.data());
+  const auto level = static_cast<std::uint8_t>(layer_.top - 1);
+  const BlockPair all = {0, 0, level, level, 0};
+  bvh::find_pairs(tree, tree, {&all, 1}, out);
+}
+
+std::size_t FormerBoxes::bytes() const {
+  std::size_t sum = high_.capacity() * sizeof(Block) + low_.capacity() * sizeof(LowBlock) +
+                    number_.capacity() * sizeof(std::uint32_t);
+  for (const std::vector<Block>& level : layer_.upper)
+    sum += level.capacity() * sizeof(Block);
+  return sum;
 }
 
 }  // namespace graze::bvh

@@ -1,9 +1,8 @@
 #pragma once
 
 #include <graze/bvh/box_set/box_set.h>
-#include <graze/bvh/box_set/former_boxes.h>
 #include <graze/bvh/box_set/search/pair_index.h>
-#include <graze/bvh/box_set/search/pair_rows.h>
+#include <graze/bvh/box_set/search/pair_lists.h>
 
 #include <array>
 #include <cstdint>
@@ -11,6 +10,26 @@
 #include <vector>
 
 namespace graze::bvh {
+
+/// Where boxes were before they moved, and which of them overlapped there. Near ones should be
+/// added one after the other: that order is the tree's.
+class FormerBoxes {
+ public:
+  void clear();
+  void add(std::uint32_t number, const OrderedBox& box);
+
+  /// All pairs of numbers whose boxes overlap, exactly, each once.
+  void find_pairs(PairBuffer& out);
+
+  std::size_t bytes() const;
+
+ private:
+  std::vector<Block> high_;
+  std::vector<LowBlock> low_;
+  std::vector<std::uint32_t> number_;
+  std::size_t size_ = 0;
+  Layer layer_;
+};
 
 /// A box set, the list of its overlapping pairs, and what the last update changed in that list.
 ///
@@ -131,7 +150,7 @@ class OverlapTracker {
   std::vector<Changed> changed_;  ///< while they are few
   std::vector<bool> is_changed_;  ///< by proxy
   bool have_many_changed_ = false;
-  std::vector<std::uint32_t> starts_;
+  std::vector<std::uint32_t> ends_;  ///< working memory of sort_pairs()
   std::vector<Mover> movers_;
   FormerBoxes former_;  ///< where they were
   PairBuffer former_pairs_;

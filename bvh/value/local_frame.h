@@ -6,7 +6,7 @@
 namespace graze::bvh {
 
 /// Where the float boxes of a tree live: local = (x - centre) / 2^exponent (law 5). The frame is
-/// made for a box, in which local coordinates are below 2 in size, so that the relative precision
+/// made for a box, in which local coordinates are between -2 and 2, so that the relative precision
 /// of a float serves meshes at any offset and of any size.
 struct LocalFrame {
   double centre[3];

@@ -45,6 +45,10 @@ struct MeshContacts {
 /// has no contact with it. The sense of the triangles says what is inside: they turn
 /// counter-clockwise as seen from outside.
 ///
+/// find_contacts() of shapes (manifold.h), `{Shape(bolt)}` for a mesh, answers another question:
+/// what a solver of a simulation needs, up to four contacts of each region that is left in one
+/// direction. Here one contact stands for a whole piece of the intersection.
+///
 /// **Normal.** The direction of the area vector of the piece's loops and patches: that in which the
 /// surfaces are apart soonest if they are nearly flat there. Where it vanishes, as for surfaces
 /// that touch along a line or in a point, the difference of the mean face normals of A and of B, or

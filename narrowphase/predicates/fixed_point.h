@@ -13,7 +13,7 @@ namespace graze::narrowphase {
 
 __extension__ typedef __int128 Int128;
 
-/// Coordinates of a point, below 2^60 in size, so that differences are below 2^61.
+/// Coordinates of a point, of absolute values below 2^60, so that differences are below 2^61.
 using FixedPoint = std::int64_t[3];
 
 /// Writes `count` points as integers in units that are powers of two, one for each axis; false, and

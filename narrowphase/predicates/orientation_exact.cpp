@@ -6,11 +6,12 @@
 namespace graze::narrowphase {
 namespace {
 
-// Expansions are exact while every coordinate is zero or between these in size. A difference is
-// then a multiple of 2^(-290 - 52), so that a product of three is a multiple of 2^-1026, far above
-// the smallest double 2^-1074: no product underflows, nor does its error term. Differences are at
-// most 2^331, a sum of six products of three below 2^996, and Veltkamp's splitting multiplies by
-// less than 2^28: the products that it splits, of degree two, stay below 2^664. Nothing overflows.
+// Expansions are exact while every coordinate is zero, or has an absolute value between these. A
+// difference is then a multiple of 2^(-290 - 52), so that a product of three is a multiple of
+// 2^-1026, far above the smallest double 2^-1074: no product underflows, nor does its error term.
+// Differences are at most 2^331, a sum of six products of three below 2^996, and Veltkamp's
+// splitting multiplies by less than 2^28: the products that it splits, of degree two, stay below
+// 2^664. Nothing overflows.
 constexpr double kSmallestCoordinate = 0x1p-290;
 constexpr double kLargestCoordinate = 0x1p+330;
 

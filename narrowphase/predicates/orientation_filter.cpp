@@ -38,7 +38,8 @@ double largest(double a, double b, double c) {
 using Both = double __attribute__((vector_size(16)));
 using BothSigns = std::int64_t __attribute__((vector_size(16)));
 
-inline Both size_of(Both v) {
+/// The absolute values.
+inline Both absolute(Both v) {
   return reinterpret_cast<Both>(reinterpret_cast<BothSigns>(v) &
                                 std::numeric_limits<std::int64_t>::max());
 }
@@ -46,7 +47,7 @@ inline Both size_of(Both v) {
 /// orientation_2d_filter() of vectors, without its zeros: 1 or -1 where that is sure, else 0.
 inline BothSigns sure_signs(Both ux, Both uy, Both vx, Both vy) {
   const Both both_left = ux * vy, both_right = uy * vx;
-  const Both sizes = size_of(both_left) + size_of(both_right);
+  const Both sizes = absolute(both_left) + absolute(both_right);
   const Both areas = both_left - both_right;
   const BothSigns is_in_range = (sizes >= kSmallest) & (sizes <= kLargest);
   // What is true is -1.

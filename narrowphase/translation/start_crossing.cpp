@@ -4,7 +4,6 @@
 #include <graze/narrowphase/predicates/sides_of_plane.h>
 #include <graze/narrowphase/translation/axes.h>
 #include <graze/narrowphase/translation/translation.h>
-#include <graze/narrowphase/triangle_pair/apex.h>
 
 #include <utility>
 

@@ -14,7 +14,6 @@
 #include <graze/narrowphase/predicates/orientation_stages.h>
 #include <graze/narrowphase/predicates/predicates.h>
 #include <graze/narrowphase/predicates/sides_of_plane.h>
-#include <graze/narrowphase/triangle_pair/apex.h>
 #include <graze/narrowphase/triangle_triangle.h>
 
 #include <optional>

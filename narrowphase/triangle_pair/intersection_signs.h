@@ -6,7 +6,6 @@
 
 #include <graze/narrowphase/predicates/coplanar.h>
 #include <graze/narrowphase/predicates/sides_of_plane.h>
-#include <graze/narrowphase/triangle_pair/apex.h>
 #include <utility>
 
 namespace graze::narrowphase {

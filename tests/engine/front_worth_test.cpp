@@ -1,4 +1,4 @@
-#include <graze/engine/mesh/memory/front_worth.h>
+#include <graze/engine/mesh/memory/front_costs.h>
 #include <gtest/gtest.h>
 
 namespace graze {
@@ -7,19 +7,19 @@ namespace {
 TEST(FrontWorth, NothingSpeaksAgainstAFrontThatNobodyHasTried) {
   FrontWorth worth;
   worth.learn(1e9);
-  EXPECT_TRUE(worth.is_given());
+  EXPECT_TRUE(worth.is_worth_it());
   worth.learn_walk(1);
   worth.begin();
-  EXPECT_TRUE(worth.is_given());
-  EXPECT_FALSE(worth.is_sure());
+  EXPECT_TRUE(worth.is_worth_it());
+  EXPECT_FALSE(worth.is_surely_worth_it());
 }
 
 TEST(FrontWorth, NothingIsSureAsLongAsNobodyHasWalked) {
   FrontWorth worth;
   for (int i = 0; i < 10; ++i)
     worth.learn(1);
-  EXPECT_TRUE(worth.is_given());
-  EXPECT_FALSE(worth.is_sure());
+  EXPECT_TRUE(worth.is_worth_it());
+  EXPECT_FALSE(worth.is_surely_worth_it());
 }
 
 TEST(FrontWorth, WhatCostsMoreThanAWalkIsNotWorthIt) {
@@ -27,21 +27,21 @@ TEST(FrontWorth, WhatCostsMoreThanAWalkIsNotWorthIt) {
   worth.learn_walk(100);
   for (int i = 0; i < 3; ++i) {
     worth.learn(150);
-    EXPECT_TRUE(worth.is_given()) << i;
+    EXPECT_TRUE(worth.is_worth_it()) << i;
   }
   worth.learn(150);
-  EXPECT_FALSE(worth.is_given());
+  EXPECT_FALSE(worth.is_worth_it());
   for (int i = 0; i < 10; ++i)
     worth.learn(10);
-  EXPECT_TRUE(worth.is_given());
-  EXPECT_TRUE(worth.is_sure());
+  EXPECT_TRUE(worth.is_worth_it());
+  EXPECT_TRUE(worth.is_surely_worth_it());
 }
 
 TEST(FrontWorth, WhatCostsFarMoreIsGivenUpAtOnce) {
   FrontWorth worth;
   worth.learn_walk(100);
   worth.learn(250);
-  EXPECT_FALSE(worth.is_given());
+  EXPECT_FALSE(worth.is_worth_it());
 }
 
 TEST(FrontWorth, AFrontIsNotJudgedByTheOneBefore) {
@@ -50,10 +50,10 @@ TEST(FrontWorth, AFrontIsNotJudgedByTheOneBefore) {
   for (int i = 0; i < 10; ++i)
     worth.learn(1000);
   worth.begin();
-  EXPECT_TRUE(worth.is_given());
+  EXPECT_TRUE(worth.is_worth_it());
   worth.learn(90);
-  EXPECT_TRUE(worth.is_given());
-  EXPECT_FALSE(worth.is_sure());
+  EXPECT_TRUE(worth.is_worth_it());
+  EXPECT_FALSE(worth.is_surely_worth_it());
 }
 
 TEST(FrontWorth, EachThingThatIsDoneCostsSomething) {

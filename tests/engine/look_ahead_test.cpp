@@ -1,4 +1,4 @@
-#include <graze/engine/mesh/memory/look_ahead.h>
+#include <graze/engine/mesh/memory/front_costs.h>
 #include <gtest/gtest.h>
 
 #include <vector>

@@ -1,4 +1,3 @@
-#include <graze/engine/mesh/query/rank_sort.h>
 #include <graze/engine/mesh/query/sort_pairs.h>
 #include <gtest/gtest.h>
 #include <algorithm>

@@ -1,5 +1,4 @@
 #include <graze/bvh/box_set/order/box_order.h>
-#include <graze/bvh/box_set/store/refit_kernels.h>
 
 #include <algorithm>
 
@@ -17,15 +16,18 @@ constexpr double kMuchInflated = 4;
 // What sorting newcomers costs, each, in blocks that a lookup could have met instead.
 constexpr std::size_t kNewcomerSortCost = 8;
 
-// A block is looked at for outliers when its extent has grown by this factor, unless one block in
-// so many has; a box is one if the block without it has at most this share of its extent.
-constexpr double kStretched = 2;
 constexpr std::uint32_t kRefitChunk = 512;  // blocks, whole blocks of the level above
 
-constexpr double kLeft = 1.5;  // a mover that stretches its block so far has left
+// A mover that stretches its block so far has left its neighbours. Movers are asked while they are
+// few, one in so many boxes, and beyond that while one in so many of them has left.
+constexpr double kLeft = 1.5;
 constexpr std::size_t kAskedShare = 64;
 constexpr std::size_t kLeftShare = 4;
 
+// A block is looked at for outliers when its extent has grown by this factor, unless more than a
+// few blocks have, one in so many. A box is an outlier if the block without it has at most so large
+// a share of its extent.
+constexpr double kStretched = 2;
 constexpr std::size_t kFewStretched = 4;
 constexpr std::size_t kStretchedShare = 32;
 constexpr double kWorthMoving = 0.75;
@@ -204,7 +206,8 @@ void BoxOrder::prepare_for_queries() {
   }
 }
 
-void BoxOrder::sort_if_crowded(std::size_t lookups) {
+void BoxOrder::prepare_for_lookups(std::size_t lookups) {
+  refit();
   const double blocks = static_cast<double>(store_.high.size());
   if (store_.newcomers > kFewNewcomers + store_.size / kNewcomerShare ||
       store_.holes > kFewNewcomers + store_.size / kHoleShare || inflation_ > blocks) {

@@ -26,13 +26,13 @@ class BoxOrder {
   /// refit(), and an order for boxes if many came: what queries want.
   void prepare_for_queries();
 
-  /// Puts all boxes into a new order, if the old one has cost more by now than that does. What the
-  /// next search for all pairs would cost counts as well.
-  void sort_if_worthwhile();
-  void sort();
+  /// refit(), and a new order for all boxes if the old one has cost more by now than that does.
+  /// What the search for all pairs that follows would cost counts as well.
+  void prepare_for_search();
 
-  /// The same before so many lookups, for boxes that came in a crowd.
-  void sort_if_crowded(std::size_t lookups);
+  /// refit(), and a new order for all boxes, or for those that came since the last sort, if so many
+  /// lookups as follow would otherwise cost more than that.
+  void prepare_for_lookups(std::size_t lookups);
 
   /// A search for all pairs met so many pairs of blocks: the price of the order.
   void note_search(std::uint64_t met);
@@ -72,6 +72,7 @@ class BoxOrder {
 
   bool leaves_neighbours(const Layer& layer, std::uint32_t block, const OrderedBox& box) const;
   bool fill_hole(std::uint32_t proxy, const OrderedBox& box);
+  void sort();
   double predicted_excess() const;
   void refit_every_layer();
   void refit_touched();

@@ -1,7 +1,7 @@
 // New boxes among their neighbours, in the places of boxes that have gone.
 
 #include <graze/bvh/box_set/order/box_order.h>
-#include <graze/bvh/box_set/order/size_class.h>
+#include <graze/bvh/box_set/order/size_groups.h>
 
 #include <algorithm>
 #include <bit>

@@ -9,8 +9,8 @@
 namespace graze::bvh {
 namespace {
 
-constexpr std::size_t kParallelItems = 8192;
-constexpr std::size_t kSample = 64;
+constexpr std::size_t kParallelItems = 8192;  // fewer are not shared among threads
+constexpr std::size_t kSample = 64;           // items, among which a median is guessed
 
 /// The place of an item along an axis, different for different proxies.
 std::uint64_t rank_key(const KdItem& item, int axis) {

@@ -1,7 +1,6 @@
 // Putting the boxes of a set into a new order.
 
 #include <graze/bvh/box_set/order/box_order.h>
-#include <graze/bvh/box_set/order/size_class.h>
 #include <graze/bvh/box_set/order/size_groups.h>
 
 #include <algorithm>
@@ -26,7 +25,8 @@ double BoxOrder::predicted_excess() const {
   return static_cast<double>(met_sorted_) * inflation_ / std::max(1.0, blocks);
 }
 
-void BoxOrder::sort_if_worthwhile() {
+void BoxOrder::prepare_for_search() {
+  refit();
   const double cost = kSortCost * static_cast<double>(store_.high.size());
   if (excess_ + predicted_excess() > cost || store_.holes > kLanes + store_.size / 8) {
     sort();

@@ -2,7 +2,6 @@
 
 #include <graze/bvh/box_set/order/box_order.h>
 #include <graze/bvh/box_set/order/kd_order.h>
-#include <graze/bvh/box_set/store/refit_kernels.h>
 
 #include <algorithm>
 #include <array>

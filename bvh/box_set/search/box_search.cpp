@@ -7,9 +7,9 @@
 namespace graze::bvh {
 namespace {
 
-constexpr std::size_t kTasks = 512;  // at least so many, where there are enough blocks
-constexpr std::size_t kChunks = 64;  // of tasks, each with a list of its own
-constexpr std::uint32_t kTreeBits = 8;
+constexpr std::size_t kTasks = 512;     // at least so many, where there are enough blocks
+constexpr std::size_t kChunks = 64;     // of tasks, each with a list of its own
+constexpr std::uint32_t kTreeBits = 8;  // of BlockPair::trees, for the number of one tree
 
 int level_of(const BlockPair& pair) {
   return std::max(pair.level_a, pair.level_b);

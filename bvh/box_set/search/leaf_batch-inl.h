@@ -8,16 +8,79 @@
 #endif
 
 #include <graze/bvh/box_set/search/block_lanes-inl.h>
-#include <graze/bvh/box_set/search/pair_buffer.h>
-#include <graze/bvh/box_set/search/pair_lists-inl.h>
+#include <graze/bvh/box_set/search/pair_lists.h>
 
 #include <algorithm>
 #include <bit>
 #include <cstdint>
+#include <cstring>
 
 HWY_BEFORE_NAMESPACE();
 namespace graze::bvh::HWY_NAMESPACE {
 namespace {
+
+// Only the widest registers can be packed in one instruction. Highway 1.0.3 packs others by a table
+// that g++ 12.2 copies to the stack each time; there a loop over the bits is faster.
+inline constexpr bool kPacks = hn::MaxLanes(Tag()) == kLanes;
+
+/// The lanes whose bits are set, one after the other.
+template <typename Numbers>
+HWY_INLINE Numbers packed(Numbers numbers, std::uint32_t bits) {
+  std::uint8_t bytes[8] = {};  // Highway may read eight bytes
+  std::memcpy(bytes, &bits, sizeof(bits));
+  return hn::CompressBits(numbers, bytes);
+}
+
+/// Stores pairs, side by side. The upper half of a register is hardly ever of use.
+template <typename Numbers>
+HWY_INLINE void store_pairs(Numbers smaller, Numbers larger, int count, BoxPair* to) {
+  const hn::Half<NumberTag> half;
+  hn::StoreInterleaved2(hn::LowerHalf(half, smaller), hn::LowerHalf(half, larger), half, &to->a);
+  if (HWY_UNLIKELY(count > static_cast<int>(kLanes / 2)))
+    hn::StoreInterleaved2(UpperHalf(half, smaller), UpperHalf(half, larger), half,
+                          &to[kLanes / 2].a);
+}
+
+/// Appends the numbers first + i of the bits i that are set; up to 16 places are written.
+template <typename Number>
+HWY_INLINE Number* list_bits(std::uint32_t bits, std::uint32_t first, Number* end) {
+  if constexpr (kPacks) {
+    const NumberTag tag;
+    hn::StoreU(packed(hn::Add(hn::Iota(tag, 0), hn::Set(tag, first)), bits), tag, end);
+    return end + std::popcount(bits);
+  }
+  // Four are written whether they are there or not.
+  Number* const last = end + std::popcount(bits);
+  for (int i = 0; i < 4; ++i, bits &= bits - 1)
+    end[i] = first + static_cast<std::uint32_t>(std::countr_zero(bits));
+  for (end += 4; HWY_UNLIKELY(bits != 0); bits &= bits - 1)
+    *end++ = first + static_cast<std::uint32_t>(std::countr_zero(bits));
+  return last;
+}
+
+/// Appends the pairs of `mine` with the others whose bits are set; up to 16 places are written.
+template <typename Pair>
+HWY_INLINE Pair* list_pairs(std::uint32_t mine, const std::uint32_t* others, std::uint32_t bits,
+                            Pair* end) {
+  if constexpr (kPacks) {
+    const NumberTag tag;
+    const auto me = hn::Set(tag, mine);
+    const auto other = packed(hn::LoadU(tag, others), bits);
+    store_pairs(hn::Min(me, other), hn::Max(me, other), std::popcount(bits), end);
+    return end + std::popcount(bits);
+  }
+  // Two are written whether they are there or not.
+  Pair* const last = end + std::popcount(bits);
+  for (int i = 0; i < 2; ++i, bits &= bits - 1) {
+    const std::uint32_t other = others[std::countr_zero(bits | 1u << (kLanes - 1))];
+    end[i] = {std::min(mine, other), std::max(mine, other)};
+  }
+  for (end += 2; HWY_UNLIKELY(bits != 0); bits &= bits - 1) {
+    const std::uint32_t other = others[std::countr_zero(bits)];
+    *end++ = {std::min(mine, other), std::max(mine, other)};
+  }
+  return last;
+}
 
 /// Pairs of blocks of boxes, met a batch at a time. Each stage runs over a plain queue without a
 /// branch, because what a pair of blocks holds cannot be foreseen.
@@ -45,8 +108,8 @@ class LeafBatch {
   std::uint64_t met() const { return met_; }
 
  private:
-  static constexpr std::uint32_t kPairs = 64;
-  static constexpr std::uint32_t kAhead = 4;
+  static constexpr std::uint32_t kPairs = 64;  ///< in a batch
+  static constexpr std::uint32_t kAhead = 4;   ///< pairs whose blocks are fetched ahead
 
   struct LeafPair {
     std::uint32_t block[2];
@@ -57,7 +120,7 @@ class LeafBatch {
     const Block* columns;
     const std::uint32_t* row_proxies;
     const std::uint32_t* column_proxies;
-    std::uint32_t near;       ///< the columns that reach the other block
+    std::uint32_t near;       ///< the columns that overlap the bounds of the other block
     std::int32_t upper_half;  ///< all bits set; for one block with itself the top bit alone, so
                               ///< that each pair is met once, in a column above its row
     const LowBlock* low[2];   ///< of the rows, and of the columns
@@ -75,7 +138,8 @@ class LeafBatch {
     }
   }
 
-  /// Takes the boxes that reach the other block as rows, of the block that has fewer of them.
+  /// Takes the boxes that overlap the bounds of the other block as rows, of the block that has
+  /// fewer of them.
   HWY_INLINE std::uint32_t* list_rows(std::uint32_t i, std::uint32_t* end) {
     const LeafPair& pair = pairs_[i];
     const std::uint32_t near[2] = {

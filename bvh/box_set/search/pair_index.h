@@ -1,6 +1,6 @@
 #pragma once
 
-#include <graze/bvh/box_set/search/pair_buffer.h>
+#include <graze/bvh/box_set/search/pair_lists.h>
 
 #include <cstddef>
 #include <cstdint>

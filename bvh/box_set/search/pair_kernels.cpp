@@ -133,7 +133,7 @@ HWY_INLINE Block high_halves(std::span<const OrderedBox> boxes) {
   return block;
 }
 
-/// The blocks one level down that the movers may reach.
+/// The blocks one level down that the movers may overlap.
 HWY_INLINE void step_down(const TreeView& tree, int level, const Block& before, const Block& after,
                           Lookup& lookup) {
   lookup.below.clear();

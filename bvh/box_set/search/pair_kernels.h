@@ -3,7 +3,7 @@
 // The loops over blocks of boxes, once for each SIMD target. What they find, and in which order,
 // is the same on all of them.
 
-#include <graze/bvh/box_set/search/pair_buffer.h>
+#include <graze/bvh/box_set/search/pair_lists.h>
 #include <graze/bvh/box_set/store/block.h>
 
 #include <cstdint>
@@ -42,7 +42,7 @@ struct MoverHit {
   std::uint8_t is;     ///< 1 if it overlaps the mover where that is
 };
 
-/// A block that some of the movers looked up together may reach. Working memory.
+/// A block that some of the movers looked up together may overlap. Working memory.
 struct Reached {
   std::uint32_t mover;
   std::uint32_t block;

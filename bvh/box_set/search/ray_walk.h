@@ -7,7 +7,7 @@
 
 namespace graze::bvh {
 
-/// By how much boxes are grown before a ray is held against them, as a share of how far they reach
+/// By how much boxes are grown before a ray is held against them, as a share of how far they extend
 /// from its origin: more than answers about the shapes in them are off by.
 inline constexpr double kRayPadding = 0x1p-37;
 

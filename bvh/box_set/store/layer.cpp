@@ -1,5 +1,4 @@
 #include <graze/bvh/box_set/store/layer.h>
-#include <graze/bvh/box_set/store/refit_kernels.h>
 
 #include <algorithm>
 #include <cstring>

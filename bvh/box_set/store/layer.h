@@ -7,6 +7,10 @@
 
 namespace graze::bvh {
 
+/// Writes the bounds of blocks [first, last) of one level into their lanes of the level above.
+/// Alike on every SIMD target (refit_kernels.cpp).
+void refit_blocks(const Block* below, std::uint32_t first, std::uint32_t last, Block* above);
+
 /// A run of blocks of boxes and the implicit tree over them. The blocks belong to the box set;
 /// here are the levels above.
 struct Layer {

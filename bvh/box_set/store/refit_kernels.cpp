@@ -5,7 +5,7 @@
 #define HWY_TARGET_INCLUDE "graze/bvh/box_set/store/refit_kernels.cpp"
 #include <hwy/foreach_target.h>  // compiles this file once more for each target
 
-#include <graze/bvh/box_set/store/refit_kernels.h>
+#include <graze/bvh/box_set/store/layer.h>
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();

@@ -1,5 +1,5 @@
 // Which pairs of a front are due in a pass: those whose budget is spent and that no plane keeps out
-// any more. Included once for each SIMD target.
+// any more; and how long the planes of the others last. Included once for each SIMD target.
 
 #if defined(GRAZE_BVH_FRONT_DUE) == defined(HWY_TARGET_TOGGLE)
 #ifdef GRAZE_BVH_FRONT_DUE
@@ -8,8 +8,7 @@
 #define GRAZE_BVH_FRONT_DUE
 #endif
 
-#include <graze/bvh/wide/front/front_outlook-inl.h>
-#include <graze/bvh/wide/front/front_pass.h>
+#include <graze/bvh/wide/front/plane_store-inl.h>
 #include <graze/bvh/wide/front/wide_front.h>
 #include <graze/bvh/wide/lanes/pair_lanes-inl.h>
 #include <hwy/cache_control.h>
@@ -23,6 +22,182 @@ HWY_BEFORE_NAMESPACE();
 namespace graze::bvh::HWY_NAMESPACE {
 namespace {
 
+/// A number that was rounded to float up to four times and is multiplied by this is no less than it
+/// was.
+inline constexpr float kRoundUp = 1 + 0x1p-20f;
+
+/// Quotients are multiplied by this, which covers errors of estimated reciprocals on any target.
+inline constexpr float kReciprocalError = 1 - kEstimateError;
+
+/// A displacement that is linear in the point, column by column.
+struct alignas(16) StepColumns {
+  float column[4][4];  ///< three of the rotation's change and the translation; the rest is 0
+
+  HWY_INLINE void set(const QueryDisplacement& displacement, float scale) {
+    for (int i = 0; i < 3; ++i) {
+      for (int j = 0; j < 3; ++j)
+        column[j][i] = displacement.turned[i][j] * scale;
+      column[3][i] = displacement.moved[i] * scale;
+    }
+    for (auto& c : column)
+      c[3] = 0;
+  }
+
+  /// The displacement of a point.
+  HWY_INLINE void move(const float (&point)[3], float (&step)[4]) const {
+    const FourTag tag;
+    for (std::size_t part = 0; part < 4; part += hn::Lanes(tag)) {
+      auto sum = hn::Load(tag, column[3] + part);
+      for (int j = 0; j < 3; ++j)
+        sum = hn::MulAdd(hn::Load(tag, column[j] + part), hn::Set(tag, point[j]), sum);
+      hn::StoreU(sum, tag, step + part);
+    }
+  }
+};
+
+/// What planes prove of the query boxes that are tested against the nodes of one side.
+template <FrontBounds bounds>
+class FrontOutlook {
+ public:
+  template <std::size_t lanes>
+  using Planes = FrontPlanes<lanes, bounds>;
+
+  HWY_INLINE void set(const WideFront::Pass& pass, int tested_side) {
+    const QueryDisplacement& since = pass.since[tested_side];
+    since_.set(since, Planes<1>::kStep);
+    turn_ = since.turn;
+    error_ = since.error;
+    is_predicted_ = pass.deviation < 1;
+    const QueryDisplacement& prediction = pass.step[tested_side];
+    prediction_.set(prediction, -pass.per_distance * Planes<1>::kStep);
+    deviation_ = pass.deviation;
+    turning_ = prediction.turn * pass.per_distance * kRoundUp;
+    least_spent_ = 2 * prediction.error * pass.per_distance * kRoundUp + pass.deviation;
+  }
+
+  /// The least of the gaps that planes prove now.
+  template <std::size_t lanes>
+  HWY_INLINE float gap(const Planes<lanes>& planes) const {
+    const hn::CappedTag<float, lanes> tag;
+    auto least = hn::Set(tag, std::numeric_limits<float>::infinity());
+    for (std::size_t lane = 0; lane < lanes; lane += hn::Lanes(tag)) {
+      hn::Vec<decltype(tag)> normal[3];
+      least = hn::Min(least, gaps(tag, planes, lane, normal));
+    }
+    return hn::GetLane(hn::MinOfLanes(tag, least)) * kRoundPlanes;
+  }
+
+  /// How long all of these are more than 0, by the motion spent (front_planes.h).
+  template <std::size_t lanes>
+  HWY_INLINE float lasts(const Planes<lanes>& planes) const {
+    if (!is_predicted_) return gap(planes);
+    const hn::CappedTag<float, lanes> tag;
+    const auto spending = spending_of(tag, planes.query);
+    auto least = hn::Set(tag, std::numeric_limits<float>::infinity());
+    for (std::size_t lane = 0; lane < lanes; lane += hn::Lanes(tag)) {
+      hn::Vec<decltype(tag)> normal[3];
+      const auto gap = gaps(tag, planes, lane, normal);
+      least = hn::Min(least, spending.lasts(gap, normal));
+    }
+    return hn::GetLane(hn::MinOfLanes(tag, least)) * kRoundPlanes;
+  }
+
+  struct Nearness {
+    std::uint32_t near;  ///< the lanes that are within the limit
+    float lasts;         ///< how long the gaps of the other lanes last
+  };
+
+  /// Stores the planes that were found for these lanes, with their gaps in the pose at begin().
+  template <std::size_t lanes>
+  HWY_INLINE Nearness keep(Planes<lanes>& planes, const FoundPlanes<lanes>& found,
+                           std::uint32_t asked, float limit) const {
+    const hn::CappedTag<float, lanes> tag;
+    float step[4] = {};
+    since_.move(planes.query.centre, step);
+    const auto gained = hn::Set(tag, planes.query.radius() * turn_ * kRoundPlanes - error_);
+    const auto spending = spending_of(tag, planes.query);
+    std::uint32_t near = 0;
+    auto least = hn::Set(tag, std::numeric_limits<float>::infinity());
+    for (std::size_t lane = 0; lane < lanes; lane += hn::Lanes(tag)) {
+      const std::uint8_t bits[8] = {static_cast<std::uint8_t>(asked >> lane),
+                                    static_cast<std::uint8_t>(asked >> lane >> 8)};
+      const auto is_asked = hn::LoadMaskBits(tag, bits);
+      const auto gap = hn::Load(tag, found.gap + lane);
+      const auto is_far = hn::Gt(gap, hn::Set(tag, limit));
+      const auto is_kept = hn::And(is_far, is_asked);
+      hn::Vec<decltype(tag)> normal[3];
+      const auto stored_gap = hn::Load(tag, found.stored_gap + lane);
+      auto stored = hn::Mul(stored_gap, hn::Set(tag, kRoundPlanes));
+      for (int i = 0; i < 3; ++i) {
+        normal[i] = hn::Load(tag, found.normal[i] + lane);
+        stored = hn::NegMulAdd(normal[i], hn::Set(tag, step[i]), stored);
+      }
+      const auto lasts = is_predicted_ ? spending.lasts(stored_gap, normal) : gap;
+      least = hn::Min(least, hn::IfThenElse(is_kept, lasts, least));
+      near |= bits_of(tag, hn::AndNot(is_far, is_asked)) << lane;
+      const auto never = hn::Set(tag, std::numeric_limits<float>::infinity());
+      hn::Store(hn::IfThenElse(is_kept, hn::Add(stored, gained), never), tag, planes.gap + lane);
+    }
+    return {near, hn::GetLane(hn::MinOfLanes(tag, least))};
+  }
+
+ private:
+  /// How gaps of a query box are used up on its predicted motion, for each unit of the motion
+  /// spent.
+  template <typename AnyTag>
+  struct Spending {
+    using Values = hn::Vec<AnyTag>;
+
+    Values back[3];  ///< how far the middle of the query box goes
+    Values all;      ///< what turns and rounding cost along any direction
+    Values least;    ///< what the deviation from the predicted motion costs
+
+    HWY_INLINE Values lasts(Values gap, const Values (&normal)[3]) const {
+      auto spent = hn::MulAdd(normal[0], back[0], all);
+      spent = hn::MulAdd(normal[1], back[1], spent);
+      spent = hn::MulAdd(normal[2], back[2], spent);
+      spent = hn::Min(hn::Max(spent, least), hn::Set(AnyTag(), 1.0f));
+      return hn::Mul(
+          gap, hn::Mul(hn::ApproximateReciprocal(spent), hn::Set(AnyTag(), kReciprocalError)));
+    }
+  };
+
+  template <typename AnyTag>
+  HWY_INLINE Spending<AnyTag> spending_of(AnyTag tag, const FrontQuery& query) const {
+    float step[4] = {};
+    prediction_.move(query.centre, step);
+    Spending<AnyTag> spending;
+    for (int i = 0; i < 3; ++i)
+      spending.back[i] = hn::Set(tag, step[i]);
+    spending.all = hn::Set(tag, query.radius() * turning_ + least_spent_);
+    spending.least = hn::Set(tag, deviation_);
+    return spending;
+  }
+
+  /// Reads the normals, too.
+  template <typename AnyTag, std::size_t lanes>
+  HWY_INLINE hn::Vec<AnyTag> gaps(AnyTag tag, const Planes<lanes>& planes, std::size_t lane,
+                                  hn::Vec<AnyTag> (&normal)[3]) const {
+    float step[4] = {};
+    since_.move(planes.query.centre, step);
+    const float lost = planes.query.radius() * turn_ * (1 / kRoundPlanes) + error_;
+    auto gap = hn::Sub(PlaneStore<bounds>::read(tag, planes, lane, normal), hn::Set(tag, lost));
+    for (int i = 0; i < 3; ++i)
+      gap = hn::MulAdd(normal[i], hn::Set(tag, step[i]), gap);
+    return gap;
+  }
+
+  StepColumns since_;
+  StepColumns prediction_;
+  float turn_;
+  float error_;
+  float deviation_;
+  float turning_;      ///< motion that a pair spends by turning, for each unit of its radius
+  float least_spent_;  ///< motion that every pair spends: what the prediction is off by
+  bool is_predicted_;
+};
+
+/// The budgets of pairs that a pass looks at in any case, or does not look at by their budgets.
 inline constexpr float kAtOnce = -std::numeric_limits<float>::infinity();
 inline constexpr float kNever = std::numeric_limits<float>::infinity();
 
@@ -37,9 +212,10 @@ HWY_INLINE float chosen(std::uint32_t is_first, float first, float second) {
   return std::bit_cast<float>(other ^ (change & (0 - is_first)));
 }
 
-HWY_INLINE WideFront::Planes<FrontBounds::Meeting>& planes_of(
-    WideFront::State& state, std::integral_constant<FrontBounds, FrontBounds::Meeting> /*of*/) {
-  return state.meeting;
+HWY_INLINE WideFront::Planes<FrontBounds::Intersection>& planes_of(
+    WideFront::State& state,
+    std::integral_constant<FrontBounds, FrontBounds::Intersection> /*of*/) {
+  return state.intersection;
 }
 HWY_INLINE WideFront::Planes<FrontBounds::Distance>& planes_of(
     WideFront::State& state, std::integral_constant<FrontBounds, FrontBounds::Distance> /*of*/) {

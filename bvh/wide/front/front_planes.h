@@ -22,6 +22,20 @@
 // . (u' - u) - r |S - R|, and |S - R| is no more than what the turns of all steps between add up
 // to.
 
+// Predicted motions. A motion mostly goes on as it did before: predicted motion and the deviation
+// from it take the place of the known motions of kinetic data structures. Suppose that in the last
+// step, in which B came as far as D, each point b of a query box was displaced by U(b), and that B
+// comes as far as w from there on.
+// Then b is displaced by (w / D) U(b), and lies no further from there than what all steps have
+// deviated from the prediction in all. So in a ball of radius r around c a gap g along n lasts as
+// long as
+//   w (r |turn| - n . U(c)) / D + deviation < g,
+// whatever the motion does. The motion spent grows as fast as the larger of w and deviation /
+// kDeviation, so that the deviation never exceeds kDeviation times the motion spent. Hence the gap
+// lasts until the motion spent has grown by
+//   g / (kDeviation + (r |turn| - n . U(c)) / D),
+// where the second term is at least 0 and the sum at most 1, because no point comes further than w.
+
 namespace graze::bvh {
 
 /// How the points of query boxes are displaced between two poses, in the frame of the tested nodes'
@@ -37,6 +51,43 @@ struct QueryDisplacement {
   /// From `first` to `now`, which are frames of the tree `query` in that of the tested nodes.
   QueryDisplacement(const RelativeFrame& first, const RelativeFrame& now, const WideTree& query,
                     double all_turns);
+};
+
+/// How far a query box may deviate from its predicted motion, for each unit of the motion spent.
+inline constexpr float kDeviation = 0.0625f;
+
+/// How query boxes of both trees, in the frames of their tested nodes, are expected to go on.
+class MotionPrediction {
+ public:
+  MotionPrediction() = default;
+
+  /// As they came from one pair of frames, of B in A and of A in B, to another, while no point of B
+  /// came further than `distance` and its rotation changed by `turn`.
+  MotionPrediction(const RelativeFrame (&before)[2], const RelativeFrame (&now)[2],
+                   const WideTree& tree_a, const WideTree& tree_b, double distance, double turn);
+
+  /// The most by which any point of either query box deviated from the prediction between these
+  /// frames, while B came as far as `distance`.
+  double deviation(const RelativeFrame (&before)[2], const RelativeFrame (&now)[2],
+                   double distance) const;
+
+  /// The displacement that query boxes are predicted to repeat, in the frame of the tested tree.
+  const QueryDisplacement& step(int tested_side) const { return step_[tested_side]; }
+  float per_distance() const { return static_cast<float>(1 / distance_); }
+
+ private:
+  struct Query {
+    double rotation[3][3] = {};  ///< the change of it in the predicted step
+    double translation[3] = {};  ///< likewise
+    double middle[3] = {};       ///< of the box of everything, common units
+    double half[3] = {};
+
+    double deviation(const RelativeFrame& before, const RelativeFrame& now, double share) const;
+  };
+
+  Query query_[2];             ///< by the side of the tested node
+  QueryDisplacement step_[2];  ///< likewise
+  double distance_ = 1;        ///< by which B came in the step
 };
 
 /// A ball around what a query box holds, in the frame of its own tree and in common units.
@@ -84,7 +135,7 @@ struct FrontPlane {
 };
 
 /// What the bounds of a front are good at: telling that things are apart at all, or how far.
-enum class FrontBounds { Meeting, Distance };
+enum class FrontBounds { Intersection, Distance };
 
 /// What keeps pairs out: lane by lane a direction in the tested node's frame, no longer than 1 but
 /// for rounding, which kRoundPlanes covers, and how far beyond the tested node a query box is
@@ -94,12 +145,12 @@ template <std::size_t lanes, FrontBounds bounds>
 struct FrontPlanes;
 
 /// A pass reads thousands of these, in no order, so that they had better be few cache lines.
-/// Components of normals are integers that count in kPart. A normal is shortened before it is
-/// rounded, so that none is longer than 1.
+/// Components of normals are whole numbers of kStep, in 16 bits. A normal is made kLength steps
+/// long before it is rounded, a little less than 1, so that afterwards none is longer than 1.
 template <std::size_t lanes>
-struct alignas(4 * lanes) FrontPlanes<lanes, FrontBounds::Meeting> {
-  static constexpr float kPart = 0x1p-15f;
-  static constexpr float kParts = 0x1p15f - 2;
+struct alignas(4 * lanes) FrontPlanes<lanes, FrontBounds::Intersection> {
+  static constexpr float kStep = 0x1p-15f;
+  static constexpr float kLength = 0x1p15f - 2;
 
   float gap[lanes];
   std::int16_t normal[3][lanes];
@@ -114,7 +165,7 @@ struct alignas(4 * lanes) FrontPlanes<lanes, FrontBounds::Meeting> {
 /// cost far less than a thousandth of a gap: normals are floats.
 template <std::size_t lanes>
 struct alignas(4 * lanes) FrontPlanes<lanes, FrontBounds::Distance> {
-  static constexpr float kPart = 1;
+  static constexpr float kStep = 1;
 
   float normal[3][lanes];
   float gap[lanes];

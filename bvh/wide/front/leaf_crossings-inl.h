@@ -43,9 +43,8 @@ HWY_BEFORE_NAMESPACE();
 namespace graze::bvh::HWY_NAMESPACE {
 namespace {
 
+// In the bounds above: what determinants round by, and the factors of errors, rounded up.
 inline constexpr float kSignRounding = 0x1p-20f;
-
-// The factors of errors in the bounds above, rounded up.
 inline constexpr float kOffsetError = 1.125f;
 inline constexpr float kEdgeError = 2.5f;
 inline constexpr float kEdgesError = 8;

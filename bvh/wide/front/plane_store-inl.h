@@ -1,5 +1,6 @@
-// Planes of a front as they are stored and read: what rounding their directions costs. Included
-// once for each SIMD target.
+// Planes of a front as they are found, stored and read: the largest of several gaps, with the
+// direction along which it is, and what rounding that direction costs. Included once for each SIMD
+// target.
 
 #if defined(GRAZE_BVH_PLANE_STORE) == defined(HWY_TARGET_TOGGLE)
 #ifdef GRAZE_BVH_PLANE_STORE
@@ -8,12 +9,85 @@
 #define GRAZE_BVH_PLANE_STORE
 #endif
 
-#include <graze/bvh/wide/front/best_gap-inl.h>
 #include <graze/bvh/wide/front/front_planes.h>
+#include <graze/bvh/wide/lanes/query_gaps-inl.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace graze::bvh::HWY_NAMESPACE {
 namespace {
+
+/// What is further counts as so far.
+inline constexpr float kFarthest = 0x1p60f;
+
+/// What estimates of reciprocals and of reciprocal roots are off by at most, on any target.
+inline constexpr float kEstimateError = 0x1p-7f;
+
+template <typename AnyTag>
+HWY_INLINE hn::Vec<AnyTag> padded_square(AnyTag tag, const hn::Vec<AnyTag> (&v)[3]) {
+  // A vector that vanishes is shorter than what is added.
+  const auto padding = hn::Set(tag, kWideUnderflow);
+  return hn::MulAdd(v[0], v[0], hn::MulAdd(v[1], v[1], hn::MulAdd(v[2], v[2], padding)));
+}
+
+/// The largest gap found so far, and the direction along which it is.
+template <typename AnyTag>
+class BestGap {
+ public:
+  using Values = hn::Vec<AnyTag>;
+
+  HWY_INLINE BestGap() : gap_(hn::Zero(AnyTag())), per_length_(gap_), normal_{gap_, gap_, gap_} {}
+
+  /// Along a vector whose length may be anything.
+  HWY_INLINE void offer_along(Values gap, const Values (&n)[3]) {
+    const auto per_length = hn::ApproximateReciprocalSqrt(padded_square(AnyTag(), n));
+    offer(hn::Mul(gap, per_length), per_length, n);
+  }
+
+  /// Gaps along three directions at right angles, as lengths of steps, make a gap along their sum.
+  HWY_INLINE void offer_sum(Values square, const Values (&step)[3]) {
+    const auto padded = hn::Add(square, hn::Set(AnyTag(), kWideUnderflow));
+    const auto per_length = hn::ApproximateReciprocalSqrt(padded);
+    offer(hn::Mul(square, per_length), per_length, step);
+  }
+
+  /// Along a vector of a length times `per_length` of 1, or less.
+  HWY_INLINE void offer(Values gap, Values per_length, const Values (&n)[3]) {
+    const auto is_better = hn::Gt(gap, gap_);
+    gap_ = hn::IfThenElse(is_better, gap, gap_);
+    per_length_ = hn::IfThenElse(is_better, per_length, per_length_);
+    for (int i = 0; i < 3; ++i)
+      normal_[i] = hn::IfThenElse(is_better, n[i], normal_[i]);
+  }
+
+  /// Whether anything was found.
+  HWY_INLINE hn::Mask<AnyTag> is_any() const { return hn::Gt(gap_, hn::Zero(AnyTag())); }
+
+  /// The vector made as long as 1, and the gap along it.
+  HWY_INLINE Values normalized(Values (&normal)[3]) const {
+    const AnyTag tag;
+    const auto per_length = hn::Div(hn::Set(tag, 1.0f), hn::Sqrt(padded_square(tag, normal_)));
+    for (int i = 0; i < 3; ++i)
+      normal[i] = hn::Mul(normal_[i], per_length);
+    const auto gap = hn::Mul(gap_, hn::Div(per_length, per_length_));
+    return hn::Min(known(tag, gap), hn::Set(tag, kFarthest));
+  }
+
+  /// The same with less precision, in less time: no longer than 1, however its length was
+  /// estimated.
+  HWY_INLINE Values shortened(Values (&normal)[3]) const {
+    const AnyTag tag;
+    const auto shorter = hn::Set(tag, 1 - kEstimateError);
+    const auto per_length = hn::Mul(per_length_, shorter);
+    for (int i = 0; i < 3; ++i)
+      normal[i] = hn::Mul(normal_[i], per_length);
+    return hn::Min(known(tag, hn::Mul(gap_, shorter)), hn::Set(tag, kFarthest));
+  }
+
+ private:
+  Values gap_;
+  Values per_length_;
+  Values normal_[3];
+};
 
 /// Covers kBoundGrowth, and the rounding of roots and products.
 inline constexpr float kShrink = 1 - 0x1p-13f;
@@ -39,32 +113,38 @@ HWY_INLINE hn::Vec<AnyTag> if_near(AnyTag tag, hn::Vec<AnyTag> gap,
   return hn::IfThenElse(hn::Lt(squared_distance, farthest), gap, hn::Neg(farthest));
 }
 
+/// Stores gaps in common units: along the direction that was found, and along the same as it is
+/// stored.
+template <typename AnyTag, std::size_t lanes>
+HWY_INLINE void store_gaps(AnyTag tag, FoundPlanes<lanes>& found, std::size_t lane,
+                           hn::Vec<AnyTag> gap, hn::Vec<AnyTag> along_stored,
+                           hn::Vec<AnyTag> squared_distance, float unit_of_tested) {
+  const auto unit = hn::Set(tag, unit_of_tested * kShrink);
+  hn::Store(hn::Mul(gap, unit), tag, found.gap + lane);
+  hn::Store(if_near(tag, hn::Mul(along_stored, unit), squared_distance), tag,
+            found.stored_gap + lane);
+}
+
 /// What a front keeps of gaps where it is to tell whether anything meets.
 template <FrontBounds bounds>
 struct PlaneStore;
 
 template <>
-struct PlaneStore<FrontBounds::Meeting> {
+struct PlaneStore<FrontBounds::Intersection> {
   template <std::size_t lanes>
-  using Planes = FrontPlanes<lanes, FrontBounds::Meeting>;
+  using Planes = FrontPlanes<lanes, FrontBounds::Intersection>;
 
-  /// Normals in parts, and gaps.
+  /// Normals, in steps, and gaps.
   template <typename AnyTag, std::size_t lanes>
   HWY_INLINE static hn::Vec<AnyTag> read(AnyTag tag, const Planes<lanes>& planes, std::size_t lane,
                                          hn::Vec<AnyTag> (&normal)[3]) {
     const hn::Rebind<std::int16_t, AnyTag> halves;
     const hn::RebindToSigned<AnyTag> whole;
     for (int i = 0; i < 3; ++i) {
-      const auto parts = hn::LoadU(halves, planes.normal[i] + lane);
-      normal[i] = hn::ConvertTo(tag, hn::PromoteTo(whole, parts));
+      const auto steps = hn::LoadU(halves, planes.normal[i] + lane);
+      normal[i] = hn::ConvertTo(tag, hn::PromoteTo(whole, steps));
     }
     return hn::Load(tag, planes.gap + lane);
-  }
-
-  template <typename AnyTag, std::size_t lanes>
-  HWY_INLINE static void write_gaps(AnyTag tag, Planes<lanes>& planes, std::size_t lane,
-                                    hn::Vec<AnyTag> gaps) {
-    hn::Store(gaps, tag, planes.gap + lane);
   }
 
   /// From `lane` on: the best that was found, and gaps along that. Points of both are no further
@@ -75,24 +155,22 @@ struct PlaneStore<FrontBounds::Meeting> {
                                const hn::Vec<AnyTag> (&normal)[3], hn::Vec<AnyTag> squared_distance,
                                float unit_of_tested) {
     const hn::Rebind<std::int16_t, AnyTag> halves;
-    const auto shorter = hn::Set(tag, Planes<lanes>::kParts * Planes<lanes>::kPart);
-    // Rounding to parts changes a normal by kLongest at most; what it is off by comes on top.
-    constexpr float kLongest = 0.87f * Planes<lanes>::kPart;
+    const auto shorter = hn::Set(tag, Planes<lanes>::kLength * Planes<lanes>::kStep);
+    // Rounding to steps changes a normal by kLongest at most; what it is off by comes on top.
+    constexpr float kLongest = 0.87f * Planes<lanes>::kStep;
     auto off = hn::Set(tag, kDirectionError * (kDirectionError + 2 * kLongest));
     for (int i = 0; i < 3; ++i) {
-      const auto rounded = hn::NearestInt(hn::Mul(normal[i], hn::Set(tag, Planes<lanes>::kParts)));
+      const auto rounded = hn::NearestInt(hn::Mul(normal[i], hn::Set(tag, Planes<lanes>::kLength)));
       hn::StoreU(hn::DemoteTo(halves, rounded), halves, planes.normal[i] + lane);
       const auto stored = hn::ConvertTo(tag, rounded);
       hn::Store(stored, tag, found.normal[i] + lane);
       const auto change =
-          hn::MulSub(stored, hn::Set(tag, Planes<lanes>::kPart), hn::Mul(normal[i], shorter));
+          hn::MulSub(stored, hn::Set(tag, Planes<lanes>::kStep), hn::Mul(normal[i], shorter));
       off = hn::MulAdd(change, change, off);
     }
-    const auto unit = hn::Set(tag, unit_of_tested * kShrink);
-    hn::Store(hn::Mul(gap, unit), tag, found.gap + lane);
     const auto loss = root_above(tag, hn::Mul(off, squared_distance));
-    const auto stored_gap = hn::Mul(hn::MulSub(gap, shorter, loss), unit);
-    hn::Store(if_near(tag, stored_gap, squared_distance), tag, found.stored_gap + lane);
+    store_gaps(tag, found, lane, gap, hn::MulSub(gap, shorter, loss), squared_distance,
+               unit_of_tested);
   }
 
   template <typename AnyTag>
@@ -117,12 +195,6 @@ struct PlaneStore<FrontBounds::Distance> {
   }
 
   template <typename AnyTag, std::size_t lanes>
-  HWY_INLINE static void write_gaps(AnyTag tag, Planes<lanes>& planes, std::size_t lane,
-                                    hn::Vec<AnyTag> gaps) {
-    hn::Store(gaps, tag, planes.gap + lane);
-  }
-
-  template <typename AnyTag, std::size_t lanes>
   HWY_INLINE static void write(AnyTag tag, Planes<lanes>& planes, FoundPlanes<lanes>& found,
                                std::size_t lane, hn::Vec<AnyTag> gap,
                                const hn::Vec<AnyTag> (&normal)[3], hn::Vec<AnyTag> squared_distance,
@@ -131,11 +203,8 @@ struct PlaneStore<FrontBounds::Distance> {
       hn::Store(normal[i], tag, planes.normal[i] + lane);
       hn::Store(normal[i], tag, found.normal[i] + lane);
     }
-    const auto unit = hn::Set(tag, unit_of_tested * kShrink);
     const auto loss = hn::Mul(root_above(tag, squared_distance), hn::Set(tag, kDirectionError));
-    hn::Store(hn::Mul(gap, unit), tag, found.gap + lane);
-    const auto stored_gap = hn::Mul(hn::Sub(gap, loss), unit);
-    hn::Store(if_near(tag, stored_gap, squared_distance), tag, found.stored_gap + lane);
+    store_gaps(tag, found, lane, gap, hn::Sub(gap, loss), squared_distance, unit_of_tested);
   }
 
   template <typename AnyTag>

@@ -1,4 +1,3 @@
-#include <graze/bvh/wide/front/front_pass.h>
 #include <graze/bvh/wide/front/wide_front.h>
 
 #include <algorithm>
@@ -83,7 +82,7 @@ void WideFront::begin(const WideTree& tree_a, const WideTree& tree_b, const Rela
   state_.visits.reserve(kFirstSize);
   state_.leaves.reserve(kFirstSize);
   state_.visits.clear();
-  state_.meeting.clear();
+  state_.intersection.clear();
   state_.distance.clear();
   state_.visit_budgets.clear();
   state_.leaves.clear();

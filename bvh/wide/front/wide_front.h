@@ -2,7 +2,6 @@
 
 #include <graze/bvh/tree/box_separation.h>
 #include <graze/bvh/wide/front/front_planes.h>
-#include <graze/bvh/wide/front/motion_prediction.h>
 #include <graze/bvh/wide/lanes/tree_transform.h>
 #include <graze/bvh/wide/tree/wide_tree.h>
 #include <graze/bvh/wide/walk/wide_pair_walk.h>
@@ -102,7 +101,7 @@ class WideFront {
   };
 
   /// Looks at all boxes and leaves that are due. Afterwards no two primitives are `limit` apart or
-  /// nearer but, by Bounds::Distance, those that are candidates, and by Bounds::Meeting, whose
+  /// nearer but, by Bounds::Distance, those that are candidates, and by Bounds::Intersection, whose
   /// limit is 0, those that surely cross, crossing(), and some of those that may meet, unsure().
   void advance(const Pass& pass, double limit, const Foresight& foresight);
 
@@ -208,8 +207,8 @@ class WideFront {
   struct State {
     const WideTree* tree[2] = {nullptr, nullptr};
     std::vector<Visit> visits;
-    Planes<FrontBounds::Meeting> meeting;    ///< while passes have these bounds
-    Planes<FrontBounds::Distance> distance;  ///< while they have these
+    Planes<FrontBounds::Intersection> intersection;  ///< while passes have these bounds
+    Planes<FrontBounds::Distance> distance;          ///< while they have these
     std::vector<float> visit_budgets;
     std::vector<Leaves> leaves;
     std::vector<float> leaves_budgets;
@@ -233,10 +232,29 @@ class WideFront {
   RelativeFrame first_[2] = {};  ///< at begin()
   RelativeFrame last_[2] = {};   ///< at the last follow()
   MotionBound motion_;           ///< from begin() to then
-  double spent_ = 0;             ///< the motion spent (motion_prediction.h)
+  double spent_ = 0;             ///< the motion spent (front_planes.h)
   bool has_prediction_ = false;
   MotionPrediction prediction_;
   std::uint64_t skipped_ = 0;
 };
+
+// What the kernels are asked.
+
+/// Pairs that are further apart than `limit` and whose budget outlasts `due` are skipped.
+struct FrontHorizon {
+  float limit;  ///< common units
+  float due;    ///< the motion spent, as budgets are
+};
+
+/// What an update of a front looks at.
+struct FrontTask {
+  FrontHorizon must;        ///< what it has to compare
+  FrontHorizon look_ahead;  ///< what it may compare for later passes, as in WideFront::Foresight
+  float useful;             ///< likewise
+  std::size_t most_added;   ///< likewise
+};
+
+/// Looks at what is due in a front, and at what is busy. Private to bvh/wide.
+void update_front(WideFront::State& state, const WideFront::Pass& pass, const FrontTask& task);
 
 }  // namespace graze::bvh

@@ -12,7 +12,6 @@
 #include <graze/bvh/wide/front/box_gaps-inl.h>
 #include <graze/bvh/wide/front/front_due-inl.h>
 #include <graze/bvh/wide/front/front_leaves-inl.h>
-#include <graze/bvh/wide/front/front_pass.h>
 #include <graze/bvh/wide/lanes/child_refs-inl.h>
 #include <hwy/highway.h>
 
@@ -219,7 +218,7 @@ void advance(WideFront::State& state, const WideFront::Pass& pass, const FrontTa
   if (pass.bounds == FrontBounds::Distance) {
     FrontUpdater<FrontBounds::Distance>(state, pass, task).run();
   } else {
-    FrontUpdater<FrontBounds::Meeting>(state, pass, task).run();
+    FrontUpdater<FrontBounds::Intersection>(state, pass, task).run();
   }
 }
 

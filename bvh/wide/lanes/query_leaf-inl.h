@@ -1,5 +1,5 @@
-// The corners of a leaf of one wide tree beside those of the other. Included once for each SIMD
-// target.
+// The corners of a leaf of one wide tree beside those of the other, and its primitives one by one
+// against the boxes of a node of the other. Included once for each SIMD target.
 
 #if defined(GRAZE_BVH_QUERY_LEAF) == defined(HWY_TARGET_TOGGLE)
 #ifdef GRAZE_BVH_QUERY_LEAF
@@ -116,6 +116,103 @@ HWY_INLINE hn::Vec<AnyTag> height_error(AnyTag tag, hn::Vec<AnyTag> extent, hn::
       hn::Set(tag, kWideUnderflow));
   return hn::IfThenElse(hn::Lt(extent, hn::Set(tag, kLargestPlaneExtent)), bound,
                         hn::Set(tag, std::numeric_limits<float>::infinity()));
+}
+
+/// The primitives of a leaf along the axes of a tested node, a lane for each: the box around each
+/// there, and the interval that it takes up along its normal. All of it is widened by what rounding
+/// may have changed (wide_bounds.h).
+struct LeafInNode {
+  alignas(16) float low[3][4];
+  alignas(16) float high[3][4];
+  alignas(16) float normal[3][4];
+  alignas(16) float below[4];
+  alignas(16) float above[4];
+};
+
+HWY_INLINE void set_leaf_in_node(LeafInNode& in_node, const QueryLeaf& leaf, const WideNode& tested,
+                                 const double (&treelet_origin)[3]) {
+  const FourTag tag;
+  float start[3];  // from the origin of the tested node to that of its treelet
+  for (int i = 0; i < 3; ++i)
+    start[i] = static_cast<float>(treelet_origin[i] - tested.origin[i]);
+  const Four error = hn::Set(tag, kLeafInNodeError * leaf.error);
+  for (std::size_t part = 0; part < 4; part += hn::Lanes(tag)) {
+    Four p[3][3];
+    for (int c = 0; c < 3; ++c) {
+      Four offset[3];
+      for (int i = 0; i < 3; ++i)
+        offset[i] = hn::Add(hn::Load(tag, leaf.corner[c][i] + part), hn::Set(tag, start[i]));
+      for (int k = 0; k < 3; ++k) {
+        p[c][k] = hn::MulAdd(offset[0], hn::Set(tag, tested.axes[0][k]),
+                             hn::MulAdd(offset[1], hn::Set(tag, tested.axes[1][k]),
+                                        hn::Mul(offset[2], hn::Set(tag, tested.axes[2][k]))));
+      }
+    }
+    Four e[3], f[3], normal[3];
+    for (int k = 0; k < 3; ++k) {
+      hn::Store(hn::Sub(hn::Min(hn::Min(p[0][k], p[1][k]), p[2][k]), error), tag,
+                in_node.low[k] + part);
+      hn::Store(hn::Add(hn::Max(hn::Max(p[0][k], p[1][k]), p[2][k]), error), tag,
+                in_node.high[k] + part);
+      e[k] = hn::Sub(p[1][k], p[0][k]);
+      f[k] = hn::Sub(p[2][k], p[0][k]);
+    }
+    Four size = hn::Zero(tag);
+    for (int k = 0; k < 3; ++k) {
+      const int k1 = (k + 1) % 3;
+      const int k2 = (k + 2) % 3;
+      normal[k] = hn::MulSub(e[k1], f[k2], hn::Mul(e[k2], f[k1]));
+      hn::Store(normal[k], tag, in_node.normal[k] + part);
+      size = hn::Add(size, hn::Abs(normal[k]));
+    }
+    Four below, above;
+    for (int c = 0; c < 3; ++c) {
+      const Four height = hn::MulAdd(normal[0], p[c][0],
+                                     hn::MulAdd(normal[1], p[c][1], hn::Mul(normal[2], p[c][2])));
+      below = c == 0 ? height : hn::Min(below, height);
+      above = c == 0 ? height : hn::Max(above, height);
+    }
+    const Four margin = hn::MulAdd(size, error, hn::Set(tag, kWideUnderflow));
+    hn::Store(hn::Sub(below, margin), tag, in_node.below + part);
+    hn::Store(hn::Add(above, margin), tag, in_node.above + part);
+  }
+}
+
+/// The bits of the children that some of the first `count` primitives are not proved apart from.
+HWY_INLINE std::uint32_t near_primitives_of(const LeafInNode& leaf, std::uint32_t count,
+                                            const WideNode& tested) {
+  const Tag tag;
+  std::uint32_t near = 0;
+  for (std::size_t lane = 0; lane < WideNode::kWidth; lane += hn::Lanes(tag)) {
+    Lanes centre[3], half[3], low[3], high[3];
+    for (int k = 0; k < 3; ++k) {
+      centre[k] = hn::Load(tag, tested.centre[k] + lane);
+      half[k] = hn::Load(tag, tested.half[k] + lane);
+      low[k] = hn::Sub(centre[k], half[k]);
+      high[k] = hn::Add(centre[k], half[k]);
+    }
+    auto are_apart = hn::Eq(low[0], low[0]);
+    for (std::uint32_t i = 0; i < count; ++i) {
+      const Lanes n[3] = {hn::Set(tag, leaf.normal[0][i]), hn::Set(tag, leaf.normal[1][i]),
+                          hn::Set(tag, leaf.normal[2][i])};
+      const Lanes height =
+          hn::MulAdd(n[0], centre[0], hn::MulAdd(n[1], centre[1], hn::Mul(n[2], centre[2])));
+      const Lanes radius =
+          hn::MulAdd(hn::Abs(n[0]), half[0],
+                     hn::MulAdd(hn::Abs(n[1]), half[1], hn::Mul(hn::Abs(n[2]), half[2])));
+      auto apart = hn::Or(hn::Gt(hn::Sub(height, radius), hn::Set(tag, leaf.above[i])),
+                          hn::Lt(hn::Add(height, radius), hn::Set(tag, leaf.below[i])));
+      for (int k = 0; k < 3; ++k) {
+        apart = hn::Or(apart, hn::Or(hn::Gt(low[k], hn::Set(tag, leaf.high[k][i])),
+                                     hn::Lt(high[k], hn::Set(tag, leaf.low[k][i]))));
+      }
+      are_apart = hn::And(are_apart, apart);
+    }
+    std::uint8_t bits[8] = {};
+    hn::StoreMaskBits(tag, hn::Not(are_apart), bits);
+    near |= std::uint32_t{bits[0]} << lane;
+  }
+  return near;
 }
 
 }  // namespace

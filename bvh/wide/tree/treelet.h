@@ -24,7 +24,7 @@ struct Treelet {
   std::vector<WideNode> nodes;
   std::vector<float> corners;  ///< of a leaf: 9 rows, one behind the other, from 9 * its first on
   double origin[3] = {0, 0, 0};
-  float largest_coordinate = 0;  ///< of all corners, in size
+  float largest_coordinate = 0;  ///< no coordinate of a corner is larger, nor its negative
   std::uint32_t first = 0;
 
   // cost_of() the nodes when they were built, and when their axes were last chosen.

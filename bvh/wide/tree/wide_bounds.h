@@ -109,6 +109,8 @@ inline constexpr float kLargestPlaneExtent = 0x1p40f;
 /// belong to what meets: nothing is proved of such query boxes.
 inline constexpr double kLargestScale = 0x1p60;
 
+/// Limits of squared distances grow by this before lower bounds are compared with them: more than
+/// what rounding makes such bounds too large by ("Distances" above).
 inline constexpr double kBoundGrowth = 1 + 0x1p-15;
 
 /// Covers what underflows, where it is added to sums of products of at most three.

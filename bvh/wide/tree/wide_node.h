@@ -12,10 +12,11 @@ namespace graze::bvh {
 /// |s_k - centre[k][j]| <= half[k][j] (law 5: wide_bounds.h).
 ///
 /// It also lies in a slab across the third axis, tilted to fit: with n = a axis 0 + b axis 1 + axis
-/// 2, a and b the slopes, and h = |a| half[0][j] + |b| half[1][j] + half[2][j], which is how far
-/// the box reaches along n, |n . (p - origin) - n . centre - slab_middle h| <= slab_half h;
-/// likewise with the s_k in place of axis k . (p - origin). A slab costs four bytes, and where
-/// surfaces bend it is several times thinner than a box along axes that eight children share.
+/// 2, a and b the slopes, and h = |a| half[0][j] + |b| half[1][j] + half[2][j], which is the
+/// projected radius of the box along n, |n . (p - origin) - n . centre - slab_middle h| <=
+/// slab_half h; likewise with the s_k in place of axis k . (p - origin). A slab costs four bytes,
+/// and where surfaces bend it is several times thinner than a box along axes that eight children
+/// share.
 struct alignas(32) WideNode {
   static constexpr std::uint32_t kWidth = 8;
 
@@ -31,7 +32,7 @@ struct alignas(32) WideNode {
   std::int8_t slab_middle[kWidth];  ///< in 2^-7 h
   std::uint8_t slab_half[kWidth];   ///< in 2^-8 h, less one
 
-  /// What slopes are in the end: less than 1 in size, and exact.
+  /// What slopes are in the end: between -1 and 1, and exact.
   static float slope_of(std::int8_t q) {
     return static_cast<float>(q) * static_cast<float>(q < 0 ? -q : q) * kSlopeUnit;
   }

@@ -5,10 +5,8 @@
 #include <hwy/foreach_target.h>  // compiles this file once more for each target
 
 #include <graze/bvh/wide/lanes/child_refs-inl.h>
-#include <graze/bvh/wide/lanes/leaf_in_node-inl.h>
-#include <graze/bvh/wide/lanes/query_node-inl.h>
+#include <graze/bvh/wide/lanes/pair_lanes-inl.h>
 #include <graze/bvh/wide/lanes/slab_lanes-inl.h>
-#include <graze/bvh/wide/walk/near_primitives-inl.h>
 #include <graze/bvh/wide/walk/wide_pair_walk.h>
 #include <hwy/highway.h>
 

@@ -87,7 +87,7 @@ class WidePairWalk {
   };
 
  private:
-  static constexpr std::uint32_t kPatience = 16;
+  static constexpr std::uint32_t kPatience = 16;  ///< steps before it first looks elsewhere
 
   WidePairWalk(const WideTree* const (&trees)[2], const TreeTransform (&transforms)[2])
       : state_(trees, transforms) {}

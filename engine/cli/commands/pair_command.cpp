@@ -1,8 +1,8 @@
 #include <graze/bvh/volume.h>
 #include <graze/engine/cli/commands/commands.h>
 #include <graze/engine/cli/files/output_places.h>
+#include <graze/engine/cli/pair/pair_job.h>
 #include <graze/engine/cli/pair/pair_options.h>
-#include <graze/engine/cli/pair/pair_run.h>
 
 #include <CLI/CLI.hpp>
 #include <memory>

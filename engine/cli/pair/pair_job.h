@@ -1,5 +1,7 @@
 #pragma once
 
+#include <graze/engine/cli/output/outcome.h>
+#include <graze/engine/cli/output/output.h>
 #include <graze/engine/cli/pair/fcl_check.h>
 #include <graze/engine/cli/pair/pair_answer.h>
 #include <graze/engine/cli/pair/pair_options.h>
@@ -30,5 +32,9 @@ PairJob read_pair_job(const PairOptions& options);
 
 /// Asks for one pose of B, on so many threads. Can be asked by many threads at once.
 PoseAnswer ask(const PairJob& job, const Pose& pose_b, int threads);
+
+/// Answers for each pose. All input is read and checked before the first query, so that bad input
+/// leaves standard output empty. Throws UsageError, PoseError, MeshError or FileError.
+ExitCode run_pair(const PairOptions& options, Output& output);
 
 }  // namespace graze::cli

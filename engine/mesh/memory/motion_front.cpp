@@ -64,23 +64,23 @@ void MotionFront::move(const bvh::WideFront::MotionBound& step, int queries) {
   motion_.turn = (motion_.turn + step.turn) * (1 + 0x1p-50);
   since_last_.distance = (since_last_.distance + step.distance) * (1 + 0x1p-50);
   since_last_.turn = (since_last_.turn + step.turn) * (1 + 0x1p-50);
-  if (!(motion_.distance < bvh::WideFront::kFarthest)) is_live_ = false;
+  if (!(motion_.distance < bvh::WideFront::kFarthest)) is_in_use_ = false;
 }
 
 void MotionFront::give_up() {
-  is_live_ = false;
+  is_in_use_ = false;
   rest_ = next_rest_;
   next_rest_ = std::min(4 * next_rest_, kLongestRest);
 }
 
 bool MotionFront::rests() {
-  if (is_live_ || rest_ == 0) return false;
+  if (is_in_use_ || rest_ == 0) return false;
   --rest_;
   return true;
 }
 
 bool MotionFront::has_many_candidates(const bvh::WideFront::Pass& pass, double limit) {
-  if (bounds_ == bvh::WideFront::Bounds::Meeting) return false;
+  if (bounds_ == bvh::WideFront::Bounds::Intersection) return false;
   std::size_t due = 0;
   for (std::size_t i = 0; i < front_.candidate_count(); ++i)
     due += front_.is_due(i, pass, limit);
@@ -94,7 +94,7 @@ bool MotionFront::is_outgrown() const {
          static_cast<double>(front_.size()) > most * static_cast<double>(first_size_) + kFewMore;
 }
 
-void MotionFront::steer(const bvh::RelativeFrame (&now)[2]) {
+void MotionFront::update_prediction(const bvh::RelativeFrame (&now)[2]) {
   if (front_.has_prediction()) {
     ++passes_predicted_;
     distance_predicted_ += since_last_.distance;
@@ -124,17 +124,18 @@ std::optional<bvh::WideFront::Pass> MotionFront::pass(const bvh::WideTree& tree_
                                                       const bvh::RelativeFrame& a_in_b,
                                                       double limit) {
   if (!(limit < bvh::WideFront::kFarthest)) return std::nullopt;
-  if (is_live_ && !is_outgrown()) {
+  if (is_in_use_ && !is_outgrown()) {
     front_.follow(b_in_a, a_in_b, motion_);
     if (!(front_.spent() < bvh::WideFront::kFarthest)) {
-      is_live_ = false;
+      is_in_use_ = false;
       return std::nullopt;
     }
-    steer({b_in_a, a_in_b});
+    update_prediction({b_in_a, a_in_b});
     const bvh::WideFront::Pass pass = front_.pass(bounds_);
     const bool is_worth_it = !is_jump_ || front_.share_due(pass, limit) <= kMostDue;
     if (is_worth_it && !has_many_candidates(pass, limit)) {
-      const bool is_kept = bounds_ == bvh::WideFront::Bounds::Distance || worth_.is_sure();
+      const bool is_kept =
+          bounds_ == bvh::WideFront::Bounds::Distance || worth_.is_surely_worth_it();
       if (passes_ >= kEnoughPasses && is_kept) next_rest_ = 1;
       return pass;
     }
@@ -143,14 +144,14 @@ std::optional<bvh::WideFront::Pass> MotionFront::pass(const bvh::WideTree& tree_
   }
   const double smaller = std::min(sum_of_edges(tree_a.box(), b_in_a.units_a),
                                   sum_of_edges(tree_b.box(), b_in_a.units_b));
-  is_live_ = false;
+  is_in_use_ = false;
   if (is_jump_ && step_ > kFast * smaller) return std::nullopt;
   front_.begin(tree_a, tree_b, b_in_a, a_in_b);
-  is_live_ = true;
+  is_in_use_ = true;
   motion_ = {};
   passes_ = 0;
   worth_.begin();
-  steer({b_in_a, a_in_b});
+  update_prediction({b_in_a, a_in_b});
   return front_.pass(bounds_);
 }
 
@@ -176,28 +177,28 @@ void MotionFront::learn(const bvh::WideFront::Pass& pass, double cost) {
   const bool was_in_vain = look_ahead_.queries() < tried;
   if (was_in_vain &&
       static_cast<double>(front_.size()) > kMostGrowth * static_cast<double>(first_size_))
-    is_live_ = false;
+    is_in_use_ = false;
   worth_.learn(of_each);
-  if (is_live_ && !worth_.is_given()) give_up();
+  if (is_in_use_ && !worth_.is_worth_it()) give_up();
 }
 
 void MotionFront::advance(const bvh::WideFront::Pass& pass, double limit, Work& work) {
-  is_live_ = false;  // so that the front is not used again if this throws
+  is_in_use_ = false;  // so that the front is not used again if this throws
   const std::size_t size_before = front_.size();
   front_.advance(pass, limit, foresight());
-  is_live_ = true;
+  is_in_use_ = true;
   const bvh::WideFront::Counts counts = front_.take_counts();
   if (passes_++ == 0) {
     first_size_ = front_.size();
     if (front_.share_due(pass, limit + step_) > kMostDue) give_up();
-  } else if (bounds_ == bvh::WideFront::Bounds::Meeting) {
+  } else if (bounds_ == bvh::WideFront::Bounds::Intersection) {
     learn(pass, FrontWorth::cost_of_pass(counts, front_.unsure_count()));
   } else if (static_cast<double>(front_.looked_at()) >
              kMostLookedAt * queries_ * static_cast<double>(size_before)) {
     give_up();
   }
   if (front_.size() > kLargest) {
-    is_live_ = false;
+    is_in_use_ = false;
     rest_ = kLongestRest;
   }
   work.volume_tests += counts.walk.box_tests;

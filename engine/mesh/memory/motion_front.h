@@ -3,8 +3,7 @@
 // Private to engine/mesh.
 
 #include <graze/bvh/wide/front/wide_front.h>
-#include <graze/engine/mesh/memory/front_worth.h>
-#include <graze/engine/mesh/memory/look_ahead.h>
+#include <graze/engine/mesh/memory/front_costs.h>
 #include <graze/engine/work.h>
 
 #include <cstddef>
@@ -18,7 +17,8 @@ class MotionFront {
   explicit MotionFront(bvh::WideFront::Bounds bounds) : bounds_(bounds) {}
 
   bvh::WideFront& front() { return front_; }
-  bool is_live() const { return is_live_; }
+  /// Whether there is a front that follows the motion.
+  bool is_in_use() const { return is_in_use_; }
 
   /// Whether this query should do without the front, because it rests for some queries; counts
   /// down.
@@ -59,11 +59,11 @@ class MotionFront {
   void learn(const bvh::WideFront::Pass& pass, double cost);
 
   /// Gives the front a predicted motion, or takes it away where the motion deviates from it.
-  void steer(const bvh::RelativeFrame (&now)[2]);
+  void update_prediction(const bvh::RelativeFrame (&now)[2]);
 
   bvh::WideFront::Bounds bounds_;
   bvh::WideFront front_;
-  bool is_live_ = false;
+  bool is_in_use_ = false;
   bvh::WideFront::MotionBound motion_;  ///< since the front was begun
   int passes_ = 0;                      ///< updates since the front was begun
   std::size_t first_size_ = 0;          ///< of the front, after the first update

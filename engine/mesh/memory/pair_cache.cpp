@@ -156,8 +156,8 @@ bool PairCache::follow(const WideQuery& query) {
   if (was_followed) {
     const bvh::WideFront::MotionBound step =
         motion_of(query.tree_b.box(), now.units_b, rotation_, translation_, now);
-    meeting.move(step, queries_);
-    near.move(step, queries_);
+    intersection_front.move(step, queries_);
+    distance_front.move(step, queries_);
   }
   for (int i = 0; i < 3; ++i) {
     std::copy_n(now.rotation[i], 3, rotation_[i]);

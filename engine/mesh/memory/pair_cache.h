@@ -92,8 +92,8 @@ class PairCache {
   bool was_within = false;
   bool was_touching = false;    ///< when a distance was last asked for
   std::size_t pairs_found = 0;  ///< when all pairs were last asked for
-  MotionFront meeting{bvh::WideFront::Bounds::Meeting};
-  MotionFront near{bvh::WideFront::Bounds::Distance};
+  MotionFront intersection_front{bvh::WideFront::Bounds::Intersection};
+  MotionFront distance_front{bvh::WideFront::Bounds::Distance};
   std::uint64_t still_apart = 0;
   std::uint64_t still_touching = 0;
 

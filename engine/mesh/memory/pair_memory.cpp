@@ -48,10 +48,10 @@ PairCache& recall(PairMemory& memory, const PlacedMeshView& mesh_a, const Placed
 namespace {
 
 /// A query of two meshes of which it is not known that they are apart.
-class MeetingQuery {
+class IntersectionQuery {
  public:
-  MeetingQuery(const PlacedMeshView& a, const PlacedMeshView& b, PairCache& cache, Touch touch,
-               Work& work)
+  IntersectionQuery(const PlacedMeshView& a, const PlacedMeshView& b, PairCache& cache, Touch touch,
+                    Work& work)
       : query_(a, b, cache.deviation_a(), cache.deviation_b(), work),
         cache_(cache),
         touch_(touch),
@@ -60,7 +60,7 @@ class MeetingQuery {
   /// Whether the boxes around both meshes prove that they are apart: then the cache keeps the gap.
   /// Not asked while a front is in use, which holds these boxes, too.
   bool are_far_apart() {
-    if (cache_.meeting.is_live()) return false;
+    if (cache_.intersection_front.is_in_use()) return false;
     if (!query_.are_far_apart(work_)) return false;
     cache_.learn_gap(gap_of_bounds(query_));
     return true;
@@ -93,12 +93,13 @@ class MeetingQuery {
   /// is no front that can answer: then it calls for none.
   template <typename OnPair>
   bool pass_front(OnPair&& on_pair) {
-    if (cache_.meeting.rests() || !cache_.follow(query_)) return false;
+    if (cache_.intersection_front.rests() || !cache_.follow(query_)) return false;
     const bvh::RelativeFrame a_in_b = query_.a_in_b();
-    const auto pass = cache_.meeting.pass(query_.tree_a, query_.tree_b, query_.b_in_a, a_in_b, 0);
+    const auto pass =
+        cache_.intersection_front.pass(query_.tree_a, query_.tree_b, query_.b_in_a, a_in_b, 0);
     if (!pass) return false;
-    cache_.meeting.advance(*pass, 0, work_);
-    const bvh::WideFront& front = cache_.meeting.front();
+    cache_.intersection_front.advance(*pass, 0, work_);
+    const bvh::WideFront& front = cache_.intersection_front.front();
     for (std::size_t i = 0; i < front.crossing_count(); ++i) {
       if (on_pair(query_.pair_at(front.crossing(i))) == bvh::Walk::Stop) return true;
     }
@@ -123,7 +124,7 @@ class MeetingQuery {
     Candidates candidates(touch_, done);
     const bvh::Walk end = query_.decide_at_once(walk, candidates, on_pair);
     add_counts(walk.counts(), done);
-    if (end == bvh::Walk::Continue) cache_.meeting.learn_walk(done);
+    if (end == bvh::Walk::Continue) cache_.intersection_front.learn_walk(done);
     work_ += done;
   }
 
@@ -152,7 +153,7 @@ class MeetingQuery {
 HWY_NOINLINE bool do_surfaces_meet(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b,
                                    PairCache& cache, Touch touch, Work* work) {
   CountedWork counted(work);
-  MeetingQuery query(mesh_a, mesh_b, cache, touch, counted.work());
+  IntersectionQuery query(mesh_a, mesh_b, cache, touch, counted.work());
   if (query.are_far_apart()) return false;
   if (query.does_cached_pair_touch()) return true;
   // After a hit another is likelier than a gap.
@@ -179,7 +180,7 @@ HWY_NOINLINE TrianglePairs find_pairs(const PlacedMeshView& mesh_a, const Placed
                                       Work* work) {
   CountedWork counted(work);
   TrianglePairs found;
-  MeetingQuery query(mesh_a, mesh_b, cache, settings.touch, counted.work());
+  IntersectionQuery query(mesh_a, mesh_b, cache, settings.touch, counted.work());
   if (query.are_far_apart()) return found;
   const bool is_done = settings.threads == 1 && query.pass_front([&](TrianglePair pair) {
     if (found.pairs.empty()) found.pairs.reserve(std::min(cache.pairs_found, settings.limit));
@@ -195,7 +196,7 @@ HWY_NOINLINE TrianglePairs find_pairs(const PlacedMeshView& mesh_a, const Placed
         mesh_a, mesh_b,
         {.limit = settings.limit, .touch = settings.touch, .threads = settings.threads}, &done);
     if (settings.threads == 1 && found.completeness == Completeness::Complete)
-      cache.meeting.learn_walk(done);
+      cache.intersection_front.learn_walk(done);
     counted.work() += done;
   }
   cache.remember(found.pairs);
@@ -205,6 +206,9 @@ HWY_NOINLINE TrianglePairs find_pairs(const PlacedMeshView& mesh_a, const Placed
 }
 
 }  // namespace
+
+// Public functions do their work in in_standard_arithmetic(): it sees to it that the CPU rounds as
+// all error bounds take for granted, and calls what it is given.
 
 bool intersects(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b, PairMemory& memory,
                 const MemoryQuerySettings& settings, Work* work) {

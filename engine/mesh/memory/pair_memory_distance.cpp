@@ -37,7 +37,7 @@ class NearQuery {
   /// then it calls for none.
   template <typename OnPair>
   bool pass_front(OnPair&& on_pair) {
-    MotionFront& near = cache_.near;
+    MotionFront& near = cache_.distance_front;
     if (near.rests() || !cache_.follow(query_)) return false;
     auto pass =
         near.pass(query_.tree_a, query_.tree_b, query_.b_in_a, query_.a_in_b(), box_limit_.units());

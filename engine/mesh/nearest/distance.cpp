@@ -7,7 +7,6 @@
 #include <graze/engine/mesh/placement.h>
 #include <graze/engine/mesh/placing/relative_frame.h>
 #include <graze/engine/mesh/query/query_results.h>
-#include <graze/engine/mesh/query/wide_counts.h>
 #include <graze/engine/mesh/query/wide_query.h>
 #include <graze/narrowphase/derived/directed_gap.h>
 #include <graze/narrowphase/derived/distance_stages.h>

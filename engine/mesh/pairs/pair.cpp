@@ -71,6 +71,9 @@ bool is_unlimited(const PairSettings& settings) {
 
 }  // namespace
 
+// Public functions do their work in in_standard_arithmetic(): it sees to it that the CPU rounds as
+// all error bounds take for granted, and calls what it is given.
+
 bool intersects(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b, Work* work) {
   return intersects(mesh_a, mesh_b, QuerySettings{}, work);
 }

@@ -20,7 +20,8 @@ constexpr double kRootUnderflow = 0x1p-530;
 using Both = double __attribute__((vector_size(16)));
 using BothBits = std::int64_t __attribute__((vector_size(16)));
 
-inline Both size_of(Both v) {
+/// The absolute values.
+inline Both absolute(Both v) {
   return reinterpret_cast<Both>(reinterpret_cast<BothBits>(v) &
                                 std::numeric_limits<std::int64_t>::max());
 }
@@ -34,15 +35,15 @@ inline Both size_of(Both v) {
 // T in each coordinate, by 28 u T in all. With the placed centres P as computed, two placed points
 // can be equal only if
 //   |P_B - P_A| <= (1 + 2^-19) (r_A + r_B) + 28 u (T_A + T_B).
-// As computed, d^2 is off by 6 u of itself and the square of the reach by a dozen u: the reach has
-// 2^-18 and 64 u instead, and a difference of 2^-19 is billions of u. What underflows is below
-// 2^-1070 where points are placed, and below 2^-1022 in the squares: kLeastReach is more. Where d^2
-// overflows, d is above 2^511.9, and a reach whose square is finite is below 2^512 with the margins
-// in it; T is below 2^1000, so that nothing else overflows, and an infinite reach is never
-// exceeded.
-constexpr double kReachOfRadii = 1 + 0x1p-18;
-constexpr double kReachOfRounding = 0x40p-53;
-constexpr double kLeastReach = 0x1p-500;
+// As computed, d^2 is off by 6 u of itself and the square of the right side, the
+// limit, by a dozen u: it has 2^-18 and 64 u instead, and a difference of 2^-19 is billions of u.
+// What underflows is below 2^-1070 where points are placed, and below 2^-1022 in the squares:
+// kLeastLimit is more. Where d^2 overflows, d is above 2^511.9, and a limit whose square is finite
+// is below 2^512 with the margins in it; T is below 2^1000, so that nothing else overflows, and an
+// infinite limit is never exceeded.
+constexpr double kLimitOfRadii = 1 + 0x1p-18;
+constexpr double kLimitOfRounding = 0x40p-53;
+constexpr double kLeastLimit = 0x1p-500;
 
 }  // namespace
 
@@ -71,14 +72,14 @@ bool are_surely_far_apart(const PlacedBall& a, const PlacedBall& b) {
   const auto product = [&](int i, int j) {
     return m[i] * m[j] + m[i + 1] * m[j + 1] + m[i + 2] * m[j + 2];
   };
-  const Both error = (size_of(product(0, 0) - 1) + size_of(product(4, 4) - 1)) +
-                     (size_of(product(8, 8) - 1) + size_of(product(0, 4))) +
-                     (size_of(product(0, 8)) + size_of(product(4, 8)));
+  const Both error = (absolute(product(0, 0) - 1) + absolute(product(4, 4) - 1)) +
+                     (absolute(product(8, 8) - 1) + absolute(product(0, 4))) +
+                     (absolute(product(0, 8)) + absolute(product(4, 8)));
   const Both determinant = m[0] * (m[5] * m[10] - m[6] * m[9]) +
                            m[4] * (m[9] * m[2] - m[1] * m[10]) + m[8] * (m[1] * m[6] - m[2] * m[5]);
-  const Both last_row = (size_of(m[3]) + size_of(m[7])) + (size_of(m[11]) + size_of(m[15] - 1));
+  const Both last_row = (absolute(m[3]) + absolute(m[7])) + (absolute(m[11]) + absolute(m[15] - 1));
   const Both sizes =
-      Both{a.ball.sizes, b.ball.sizes} + ((size_of(m[12]) + size_of(m[13])) + size_of(m[14]));
+      Both{a.ball.sizes, b.ball.sizes} + ((absolute(m[12]) + absolute(m[13])) + absolute(m[14]));
   const BothBits is_sure = (error <= kMaxRotationDeviation) & (determinant > 0.0) &
                            (last_row == 0.0) & (sizes < kFarFromOverflow);
   double square = 0;
@@ -89,9 +90,9 @@ bool are_surely_far_apart(const PlacedBall& a, const PlacedBall& b) {
     const double between = centre[1] - centre[0];
     square += between * between;
   }
-  const double reach = kReachOfRadii * (a.ball.radius + b.ball.radius) +
-                       (kReachOfRounding * (sizes[0] + sizes[1]) + kLeastReach);
-  return ((is_sure[0] & is_sure[1]) != 0) & (square > reach * reach);
+  const double limit = kLimitOfRadii * (a.ball.radius + b.ball.radius) +
+                       (kLimitOfRounding * (sizes[0] + sizes[1]) + kLeastLimit);
+  return ((is_sure[0] & is_sure[1]) != 0) & (square > limit * limit);
 }
 
 }  // namespace graze

@@ -3,7 +3,7 @@
 #include <graze/engine/mesh/data/mesh_rays.h>
 #include <graze/engine/mesh/data/mesh_trees.h>
 #include <graze/engine/mesh/prepare.h>
-#include <graze/engine/mesh/query/wide_counts.h>
+#include <graze/engine/mesh/query/wide_query.h>
 #include <tbb/task_arena.h>
 
 namespace graze {

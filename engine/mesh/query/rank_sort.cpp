@@ -4,7 +4,7 @@
 #define HWY_TARGET_INCLUDE "graze/engine/mesh/query/rank_sort.cpp"
 #include <hwy/foreach_target.h>  // compiles this file once more for each target
 
-#include <graze/engine/mesh/query/rank_sort.h>
+#include <graze/engine/mesh/query/sort_pairs.h>
 #include <hwy/highway.h>
 
 #include <algorithm>

@@ -7,7 +7,7 @@
 #include <graze/engine/mesh/placement.h>
 #include <graze/engine/mesh/placing/relative_frame.h>
 #include <graze/engine/mesh/query/candidates.h>
-#include <graze/engine/mesh/query/wide_counts.h>
+#include <graze/engine/work.h>
 #include <graze/narrowphase/triangle_pair/placed_triangle.h>
 #include <hwy/cache_control.h>
 
@@ -34,6 +34,18 @@ struct PlacedTriangles {
       hwy::Prefetch(&vertices[corner]);
   }
 };
+
+inline void add_counts(const bvh::TreeletCounts& counts, Work& work) {
+  work.treelets_built += counts.built;
+  work.treelets_refitted += counts.refitted;
+}
+
+inline void add_counts(const bvh::WideWalkCounts& counts, Work& work) {
+  work.volume_tests += counts.box_tests;
+  work.volume_rejections += counts.box_rejections;
+  add_counts(counts.treelets, work);
+  work.filter_tests += counts.primitive_tests;
+}
 
 /// Two placed meshes that a query walks by their wide trees.
 struct WideQuery {

@@ -51,6 +51,9 @@ void World::State::note_way(std::uint32_t index, const Pose& to, double bounding
   mover->way = way_bound(mover->before, to, bounding_radius);
 }
 
+// Public functions do their work in in_standard_arithmetic(): it sees to it that the CPU rounds as
+// all error bounds take for granted, and calls what it is given.
+
 void World::move(BodyId id, const Pose& pose) {
   bvh::in_standard_arithmetic([&] {
     state_->begin_move();

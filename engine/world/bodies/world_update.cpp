@@ -182,6 +182,9 @@ void World::State::list_changes() {
   work.trees_unbuilt = unbuilt.count();
 }
 
+// Public functions do their work in in_standard_arithmetic(): it sees to it that the CPU rounds as
+// all error bounds take for granted, and calls what it is given.
+
 // Filters and shapes of a user's own may throw, and memory may be short. What had begun and ended
 // until then is told by the next update, which looks at everything anew.
 WorldUpdate World::update() {

@@ -89,6 +89,9 @@ BroadPhase::~BroadPhase() = default;
 BroadPhase::BroadPhase(BroadPhase&&) noexcept = default;
 BroadPhase& BroadPhase::operator=(BroadPhase&&) noexcept = default;
 
+// Public functions do their work in in_standard_arithmetic(): it sees to it that the CPU rounds as
+// all error bounds take for granted, and calls what it is given.
+
 BoxId BroadPhase::add(const Aabb& box) {
   return bvh::in_standard_arithmetic([&]() -> BoxId {
     bvh::check_box(box, "add");

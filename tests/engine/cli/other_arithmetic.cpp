@@ -1,7 +1,7 @@
 // A library that is loaded into a program and sets how it computes, as one does that was linked
 // with -ffast-math: the control word is that of the environment variable GRAZE_CONTROL_WORD.
 
-#include <graze/bvh/floating_point/control_word.h>
+#include <graze/bvh/floating_point/standard_arithmetic.h>
 
 #include <cstdlib>
 

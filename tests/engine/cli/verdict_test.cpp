@@ -2,7 +2,7 @@
 // program has a judge who lies.
 
 #include <graze/engine/cli/pair/fcl_check.h>
-#include <graze/engine/cli/pair/pair_run.h>
+#include <graze/engine/cli/pair/pair_job.h>
 #include <gtest/gtest.h>
 
 #include <cstdio>

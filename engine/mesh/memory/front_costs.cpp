@@ -1,5 +1,6 @@
-#include <graze/engine/mesh/memory/front_worth.h>
+#include <graze/engine/mesh/memory/front_costs.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace graze {
@@ -15,6 +16,9 @@ constexpr int kEnoughQueries = 4;
 
 /// How much the last query counts in the mean.
 constexpr double kNewest = 0.25;
+
+/// A longer look-ahead must cost less by this factor to be kept.
+constexpr double kWorth = 1.1;
 
 }  // namespace
 
@@ -36,13 +40,32 @@ void FrontWorth::learn(double cost) {
   ++queries_;
 }
 
-bool FrontWorth::is_given() const {
+bool FrontWorth::is_worth_it() const {
   const double most = queries_ >= kEnoughQueries ? kNotWorth : kFarTooMuch;
   return queries_ == 0 || !(mean_ > most * walk_);
 }
 
-bool FrontWorth::is_sure() const {
+bool FrontWorth::is_surely_worth_it() const {
   return queries_ >= kEnoughQueries && std::isfinite(walk_) && mean_ < kWellWorth * walk_;
+}
+
+void LookAhead::learn(double cost) {
+  double& known = cost_[level_];
+  known = known > 0 ? 0.5 * (known + cost) : cost;
+  const bool was_new = is_new_;
+  is_new_ = false;
+  if (level_ > 0 && kWorth * known > cost_[level_ - 1]) {
+    known = 0;
+    --level_;
+    hold_ = next_hold_;
+    next_hold_ = std::min(2 * next_hold_, kLongestHold);
+  } else if (hold_ > 0) {
+    --hold_;
+  } else if (level_ + 1 < kLevels) {
+    if (was_new) next_hold_ = kFirstHold;
+    ++level_;
+    is_new_ = true;
+  }
 }
 
 }  // namespace graze

@@ -1,6 +1,7 @@
 #include <graze/bvh/build/build_references.h>
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/bvh/refit/refit_references.h>
+#include <graze/bvh/skins/fit_skins.h>
 #include <graze/bvh/value/to_local.h>
 #include <graze/engine/mesh/data/mesh_data.h>
 #include <graze/engine/work.h>
@@ -50,6 +51,32 @@ AgedTree refitted(const AgedTree& older, std::span<const Eigen::Vector3d> vertic
   return aged;
 }
 
+std::vector<Eigen::Vector3d> corners_of(std::span<const Eigen::Vector3d> vertices,
+                                        std::span<const TriangleIndices> triangles) {
+  std::vector<Eigen::Vector3d> corners;
+  corners.reserve(3 * triangles.size());
+  for (const TriangleIndices& triangle : triangles) {
+    for (const std::uint32_t index : triangle)
+      corners.push_back(vertices[index]);
+  }
+  return corners;
+}
+
+/// Fits `skin.volumes` once, isolated as the building of the tree is.
+template <typename Skin, typename Fit>
+void fit_once(Skin& skin, const Mesh& mesh, Work* work, const Fit& fit) {
+  const bvh::Tree& tree = tree_of(mesh, work);
+  std::call_once(skin.flag, [&] {
+    bvh::in_standard_arithmetic([&] {
+      tbb::this_task_arena::isolate([&] {
+        const bvh::Hulls hulls(tree, corners_of(mesh.vertices(), mesh.triangles()), 3);
+        skin.volumes = fit(tree, hulls);
+      });
+      if (work != nullptr) ++work->skins_built;
+    });
+  });
+}
+
 }  // namespace
 
 std::shared_ptr<const AgedTree> Mesh::Data::tree_to_inherit() const {
@@ -79,10 +106,57 @@ const bvh::Tree& tree_of(const Mesh& mesh, Work* work) {
   return data.tree->tree;
 }
 
+std::shared_ptr<const bvh::WideStock> Mesh::Data::wide_to_inherit() const {
+  // In this order: once it has been given up, the mesh's own is there.
+  std::shared_ptr<const bvh::WideStock> older = older_wide.get();
+  if (!is_wide_made.load(std::memory_order_acquire)) return older;
+  return std::make_shared<const bvh::WideStock>(wide->stock());
+}
+
+const bvh::WideTree& wide_tree_of(const Mesh& mesh, Work* work) {
+  const auto& data = MeshAccess::data(mesh);
+  // Each query asks: call_once() takes longer to say that there is nothing to do.
+  if (data.is_wide_made.load(std::memory_order_acquire)) return *data.wide;
+  std::call_once(data.wide_flag, [&] {
+    bvh::in_standard_arithmetic([&] {
+      data.corners = std::make_unique<bvh::CornerSource>(data.vertices, data.triangles);
+      const std::shared_ptr<const bvh::WideStock> older = data.older_wide.get();
+      // Isolated, as the building of the tree is.
+      tbb::this_task_arena::isolate([&] {
+        data.wide = older != nullptr
+                        ? std::make_unique<bvh::WideTree>(data.bounds, *data.corners, *older)
+                        : std::make_unique<bvh::WideTree>(data.bounds, *data.corners);
+      });
+      data.is_wide_made.store(true, std::memory_order_release);
+      data.older_wide.set(nullptr);
+      if (work != nullptr) ++(older != nullptr ? work->trees_refitted : work->trees_built);
+    });
+  });
+  return *data.wide;
+}
+
 bool has_tree(const Mesh& mesh) {
   const auto& data = MeshAccess::data(mesh);
   return data.is_wide_made.load(std::memory_order_acquire) ||
          data.is_tree_made.load(std::memory_order_acquire);
+}
+
+std::span<const bvh::FloatSphere> sphere_skin_of(const Mesh& mesh, Work* work) {
+  const auto& data = MeshAccess::data(mesh);
+  fit_once(data.spheres, mesh, work, bvh::fit_spheres);
+  return data.spheres.volumes;
+}
+
+std::span<const bvh::FloatObb> obb_skin_of(const Mesh& mesh, Work* work) {
+  const auto& data = MeshAccess::data(mesh);
+  fit_once(data.obbs, mesh, work, bvh::fit_obbs);
+  return data.obbs.volumes;
+}
+
+std::span<const bvh::FloatKDop> kdop_skin_of(const Mesh& mesh, Work* work) {
+  const auto& data = MeshAccess::data(mesh);
+  fit_once(data.kdops, mesh, work, bvh::fit_kdops);
+  return data.kdops.volumes;
 }
 
 }  // namespace graze
