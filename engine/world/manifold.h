@@ -189,7 +189,8 @@ struct ManifoldSettings {
 /// negative, down to minus the margin, where the surfaces are apart along the normal by that much.
 /// Of two that do not touch no depth is above 0. A mesh grows triangle by triangle, to its front;
 /// where all that is near is behind it, as for a ball inside a closed mesh, the one contact is that
-/// of the nearest points. Of two meshes what is near along one direction is one region.
+/// of the nearest points. Of two meshes what is near along one direction, to two degrees, is one
+/// region, and belongs to one that touches along it; its features are those of meshes that touch.
 ///
 /// Points are on the surfaces as without a margin, to the same tolerances, of two that are apart as
 /// of two that touch, however their faces lean. So is where they are to each other, but that beside

@@ -1,6 +1,5 @@
 #include <graze/engine/mesh/data/mesh_patch.h>
 #include <graze/engine/world/contacts/contact_functions.h>
-#include <graze/engine/world/contacts/contact_regions.h>
 #include <graze/engine/world/contacts/local_parting.h>
 #include <graze/engine/world/contacts/margin/near_triangles.h>
 #include <graze/engine/world/shapes/mesh_descent.h>
@@ -25,6 +24,13 @@ constexpr double kNegligible = 1e-9;
 // Cosine of the angle within which a direction is a face's normal, 1.4e-5: taken for it, it is as
 // long to 1e-10.
 constexpr double kAlongNormal = 1 - 1e-10;
+
+// Two ways out are one within 2 degrees.
+constexpr double kAlongWay = 0.9994;
+
+// Points that are nearer to each other than this share of a region's size are one: a corner that
+// is found on either side of an edge, or as an end of a crossing as well.
+constexpr double kOnePlace = 1e-4;
 
 /// The box around a mesh in its own frame, as a set.
 Core box_of(const PlacedMeshView& mesh, const Vec3& origin) {
@@ -58,7 +64,7 @@ bool is_behind(const Core& triangle, const Vec3& point, const Vec3& direction, d
 NearTriangles::NearTriangles(const PlacedMeshView& a, const PlacedMeshView& b,
                              ContactCandidates& candidates, Work& work)
     : mesh_a_(a), mesh_b_(b), candidates_(candidates), work_(work), s_(scratch()) {
-  s_.pairs.clear(), s_.ways.clear(), s_.touches.clear();
+  s_.pairs.clear(), s_.ways.clear(), s_.local.clear(), s_.touches.clear();
 }
 
 NearTriangles::Scratch& NearTriangles::scratch() {
@@ -75,22 +81,23 @@ void NearTriangles::add() {
   rebuild();
 }
 
-/// The regions that are known are those of the meshes themselves.
+/// The regions that are known are those of the meshes themselves. Where these touch along several
+/// directions at once, each has its own.
 void NearTriangles::grow_known() {
   candidates_.end_region();
   const double margin = candidates_.margin;
   std::size_t first = 0;
-  for (std::uint32_t region = 0; region < candidates_.ends.size(); ++region) {
-    RegionWay way{candidates_.list[first].normal, 0};
-    for (std::size_t i = first; i < candidates_.ends[region]; ++i) {
-      ContactPoint touch = candidates_.list[i];
-      touch.depth += margin;
-      touch.point_a = touch.point_a + touch.normal * margin;
-      way.depth = std::max(way.depth, touch.depth);
-      s_.touches.push_back({region, touch});
+  for (const std::size_t end : candidates_.ends) {
+    const std::uint32_t own = add_way(candidates_.list[first].normal, 0);
+    for (; first < end; ++first) {
+      const ContactPoint& touch = candidates_.list[first];
+      const bool is_along = dot(touch.normal, s_.ways[own].normal) > kAlongWay;
+      const std::uint32_t region = is_along ? own : region_of(touch.normal);
+      RegionWay& way = s_.ways[region];
+      const double depth = touch.depth + margin;
+      way.depth = std::max(way.depth, depth);
+      s_.touches.push_back({region, {touch.point_a + way.normal * margin, touch.point_b, depth}});
     }
-    s_.ways.push_back(way);
-    first = candidates_.ends[region];
   }
 }
 
@@ -127,9 +134,18 @@ void NearTriangles::find_ways() {
     const double negligible = kNegligible * (pair_scale(pair.of_a, pair.of_b));
     if (pair.distance <= negligible) continue;  // those cross or touch
     const Vec3 normal = way_of(pair);
-    if (!is_local(pair, normal, negligible)) continue;
-    const std::uint32_t region = region_of(normal);
-    s_.touches.push_back({region, point_of(pair, normal)});
+    if (is_local(pair, normal, negligible)) s_.local.push_back({normal, &pair});
+  }
+  std::stable_sort(s_.local.begin(), s_.local.end(), [](const LocalWay& s, const LocalWay& t) {
+    return s.pair->distance < t.pair->distance;
+  });
+  const double margin = candidates_.margin;
+  for (const LocalWay& local : s_.local) {
+    const std::uint32_t region = region_of(local.normal);
+    const Vec3& normal = s_.ways[region].normal;
+    const Vec3 grown = local.pair->point_a + normal * margin;
+    const double depth = std::max(dot(grown - local.pair->point_b, normal), 0.0);
+    s_.touches.push_back({region, {grown, local.pair->point_b, depth}});
   }
 }
 
@@ -158,26 +174,23 @@ bool NearTriangles::is_local(const NearPair& pair, const Vec3& normal, double ne
   return facing_a > 0 && facing_b > 0;
 }
 
-std::uint32_t NearTriangles::region_of(const Vec3& normal) {
+/// The number of the first region that is left along a direction, or of regions.
+std::size_t NearTriangles::along(const Vec3& normal) const {
   const auto at = std::find_if(s_.ways.begin(), s_.ways.end(), [&](const RegionWay& way) {
-    return is_one_direction(way.normal, normal);
+    return dot(way.normal, normal) > kAlongWay;
   });
-  if (at == s_.ways.end()) {
-    s_.ways.push_back({normal, candidates_.margin});
-    return static_cast<std::uint32_t>(s_.ways.size() - 1);
-  }
-  return static_cast<std::uint32_t>(at - s_.ways.begin());
+  return static_cast<std::size_t>(at - s_.ways.begin());
 }
 
-ContactPoint NearTriangles::point_of(const NearPair& pair, const Vec3& normal) const {
-  return {pair.point_a + normal * candidates_.margin,
-          pair.point_b,
-          normal,
-          std::max(candidates_.margin - pair.distance, 0.0),
-          std::uint64_t{numbers_of(mesh_a_.mesh).triangle(pair.index_a)} << 32 |
-              narrowphase::kPointFeature,
-          std::uint64_t{numbers_of(mesh_b_.mesh).triangle(pair.index_b)} << 32 |
-              narrowphase::kPointFeature};
+std::uint32_t NearTriangles::add_way(const Vec3& normal, double depth) {
+  s_.ways.push_back({normal, depth, along(normal) == s_.ways.size()});
+  return static_cast<std::uint32_t>(s_.ways.size() - 1);
+}
+
+std::uint32_t NearTriangles::region_of(const Vec3& normal) {
+  const std::size_t known = along(normal);
+  return known < s_.ways.size() ? static_cast<std::uint32_t>(known)
+                                : add_way(normal, candidates_.margin);
 }
 
 /// Where both faces are nearly at right angles to a way, what lies between them has contacts along
@@ -186,7 +199,7 @@ void NearTriangles::add_faces(const NearPair& pair) {
   if (FacingFeatures::is_sliver(pair.of_a) || FacingFeatures::is_sliver(pair.of_b)) return;
   for (std::uint32_t region = 0; region < s_.ways.size(); ++region) {
     const RegionWay& way = s_.ways[region];
-    if (dot(pair.normal_a, way.normal) < kNearlyFacing ||
+    if (!way.is_first_along || dot(pair.normal_a, way.normal) < kNearlyFacing ||
         -dot(pair.normal_b, way.normal) < kNearlyFacing)
       continue;
     narrowphase::Penetration penetration{};
@@ -195,33 +208,51 @@ void NearTriangles::add_faces(const NearPair& pair) {
     candidates_.found.clear();
     add_face_contact_points(pair.of_a, pair.of_b, penetration, candidates_.found,
                             candidates_.margin);
-    for (ContactPoint& touch : candidates_.found) {
-      touch.depth = std::max(dot(touch.point_a - touch.point_b, touch.normal), 0.0);
-      if (touch.depth > way.depth) continue;
-      touch.feature_a = std::uint64_t{numbers_of(mesh_a_.mesh).triangle(pair.index_a)} << 32 |
-                        (touch.feature_a & 0xffffffff);
-      touch.feature_b = std::uint64_t{numbers_of(mesh_b_.mesh).triangle(pair.index_b)} << 32 |
-                        (touch.feature_b & 0xffffffff);
-      s_.touches.push_back({region, touch});
+    for (const ContactPoint& touch : candidates_.found) {
+      const double depth = std::max(dot(touch.point_a - touch.point_b, touch.normal), 0.0);
+      if (depth <= way.depth) s_.touches.push_back({region, {touch.point_a, touch.point_b, depth}});
     }
   }
 }
 
-/// Writes all candidates anew, region by region, each point once: the first that was found.
+/// Puts the points of a region together, of those in one place the deepest, and says how large it
+/// is.
+double NearTriangles::gather(std::uint32_t region) {
+  s_.met.clear();
+  double size = candidates_.margin;
+  const Vec3* first = nullptr;
+  for (const Touch& touch : s_.touches) {
+    if (touch.region != region) continue;
+    if (first == nullptr) first = &touch.met.b;
+    size = std::max(size, largest(touch.met.b - *first));
+  }
+  for (const Touch& touch : s_.touches) {
+    if (touch.region != region) continue;
+    const auto known = std::find_if(s_.met.begin(), s_.met.end(), [&](const MetPoints& other) {
+      return largest(other.b - touch.met.b) <= kOnePlace * size;
+    });
+    if (known == s_.met.end()) {
+      s_.met.push_back(touch.met);
+    } else if (touch.met.depth > known->depth + kSameMetDepth * size) {
+      *known = touch.met;
+    }
+  }
+  return size;
+}
+
+/// Writes all candidates anew, region by region.
 void NearTriangles::rebuild() {
   candidates_.clear();
-  std::vector<ContactPoint>& list = candidates_.list;
   for (std::uint32_t region = 0; region < s_.ways.size(); ++region) {
-    const std::size_t first = list.size();
-    for (const Touch& touch : s_.touches) {
-      if (touch.region != region) continue;
-      const double within = kNegligible * (largest(touch.point.point_a) + candidates_.margin);
-      const auto is_same = [&](const ContactPoint& other) {
-        return largest(other.point_b - touch.point.point_b) <= within;
-      };
-      if (std::any_of(list.begin() + static_cast<std::ptrdiff_t>(first), list.end(), is_same))
-        continue;
-      list.push_back(touch.point);
+    const double size = gather(region);
+    if (!s_.met.empty()) {
+      add_ends(s_.met,
+               {.pose_a = mesh_a_.pose,
+                .pose_b = mesh_b_.pose,
+                .way = -s_.ways[region].normal,
+                .size = size,
+                .margin = candidates_.margin},
+               candidates_.list);
     }
     candidates_.end_region();
   }

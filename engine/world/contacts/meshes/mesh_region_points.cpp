@@ -1,4 +1,5 @@
 #include <graze/engine/world/contacts/meshes/mesh_region_points.h>
+#include <graze/engine/world/contacts/region_ends.h>
 #include <graze/narrowphase/convex/core/segments.h>
 
 #include <algorithm>
@@ -32,37 +33,11 @@ constexpr std::size_t kMostPlanes = 16;
 // Lengths below this share of the region's size do not matter.
 constexpr double kNegligible = 1e-9;
 
-// A depth that lacks less than this share of the region's size is the greatest.
-constexpr double kSameDepth = 1e-9;
-
-// Ends are as deep as the deepest point if they lack less than these shares of its depth and of the
-// region's size. With a thousandth tall stacks of drums sway on: whatever corner is no contact is
-// let down until it is one.
-constexpr double kLevelDepth = 3e-3, kLevelSize = 1e-5;
-
-/// The axis of a frame that a direction is nearest to, 0 to 5.
-std::uint64_t side_of(const Pose& pose, const Vec3& direction) {
-  const double* m = pose.data();  // column-major 4x4
-  std::uint64_t best = 0;
-  double most = -1;
-  for (std::uint64_t k = 0; k < 3; ++k) {
-    const double along = dot({m[4 * k], m[4 * k + 1], m[4 * k + 2]}, direction);
-    if (std::abs(along) > most) most = std::abs(along), best = 2 * k + (along < 0);
-  }
-  return best;
-}
-
 class RegionPoints {
   struct Plane {
     Vec3 normal;
     Vec3 point;
     double facing;  ///< cosine of its angle to the way out
-  };
-  /// Where the two meet: points of either mesh, and how deep they are.
-  struct Met {
-    Vec3 a;
-    Vec3 b;
-    double depth;
   };
   /// A point of a curve in which a face that lies along those of the other mesh leaves them.
   struct Rim {
@@ -73,13 +48,12 @@ class RegionPoints {
   /// Kept from one region to the next, so that no step of a simulation allocates.
   struct Scratch {
     std::vector<Plane> planes;
-    std::vector<Met> met;
+    std::vector<MetPoints> met;
     std::vector<Rim> rims;
     std::vector<std::uint8_t> is_looked_at;
     std::vector<std::uint32_t> met_at;  ///< of each end of crossings, its place in `met`
   };
   static constexpr std::uint32_t kNotMet = 0xffffffffu;
-  using Ends = std::array<std::size_t, 4>;  ///< the last points in four directions
   static Scratch& scratch() {
     static thread_local Scratch scratch;
     return scratch;
@@ -102,10 +76,11 @@ class RegionPoints {
     add_rims();
     drop_doubles();
     double most = -1;
-    for (const Met& met : met_)
+    for (const MetPoints& met : met_)
       most = std::max(most, met.depth);
-    if (met_.empty() || depth_ - most > kSameDepth * size_) add_deepest();
-    keep_ends();
+    if (met_.empty() || depth_ - most > kSameMetDepth * size_) add_deepest();
+    add_ends(met_, {.pose_a = region_.pose_a, .pose_b = region_.pose_b, .way = way_, .size = size_},
+             candidates_.list);
   }
 
  private:
@@ -128,7 +103,7 @@ class RegionPoints {
     const InnerPart& inner = faces_are_a ? *region_.inner_b : *region_.inner_a;
     for (std::size_t i = 0; i < inner.points.size(); ++i) {
       if (inner.vertex[i] == InnerPart::kNoVertex || inner.is_outer[i]) continue;
-      if (const std::optional<Met> met = met_over(inner.points[i] + inner.at, faces_are_a))
+      if (const std::optional<MetPoints> met = met_over(inner.points[i] + inner.at, faces_are_a))
         met_.push_back(*met);
     }
     // Most ends are those of two crossings.
@@ -152,7 +127,7 @@ class RegionPoints {
   /// An end of a crossing is on both surfaces, and may lie over faces of both: it counts once, as
   /// deep as it is over either.
   void add_end(const Vec3& point, std::uint32_t number, bool faces_are_a) {
-    const std::optional<Met> met = met_over(point, faces_are_a);
+    const std::optional<MetPoints> met = met_over(point, faces_are_a);
     if (!met) return;
     std::uint32_t& at = scratch().met_at[number];
     if (at == kNotMet) {
@@ -169,11 +144,11 @@ class RegionPoints {
   /// are far less deep than others.
   void add_rims() {
     if (region_.left.parting.feature != LeftFeature::Face || met_.empty()) return;
-    const double deep_enough = kDeepFace * met_[deepest()].depth;
+    const double deep_enough = kDeepFace * met_[deepest_of(met_, size_)].depth;
     const std::size_t count = met_.size();
     const auto is_deep = [&](const Rim& rim) {
       return std::any_of(met_.begin(), met_.begin() + static_cast<std::ptrdiff_t>(count),
-                         [&](const Met& met) {
+                         [&](const MetPoints& met) {
                            const Vec3& own = rim.is_of_a ? met.a : met.b;
                            return met.depth >= deep_enough && is_on_plane(own, rim);
                          });
@@ -234,20 +209,20 @@ class RegionPoints {
     return depth;
   }
 
-  std::optional<Met> met_over(const Vec3& point, bool faces_are_a) const {
+  std::optional<MetPoints> met_over(const Vec3& point, bool faces_are_a) const {
     const double sign = faces_are_a ? -1 : 1;
     const double depth = depth_at(point);
     // Where the surfaces go through each other they say nothing that deeper points do not.
-    if (depth < kNegligible * size_ || depth > depth_ + kSameDepth * size_) return std::nullopt;
+    if (depth < kNegligible * size_ || depth > depth_ + kSameMetDepth * size_) return std::nullopt;
     const Vec3 met = point + way_ * (sign * depth);
-    return faces_are_a ? Met{met, point, depth} : Met{point, met, depth};
+    return faces_are_a ? MetPoints{met, point, depth} : MetPoints{point, met, depth};
   }
 
   /// Where the body that leaves is deepest beyond the feature that it leaves last.
   void add_deepest() {
     const InnerPart& inner = region_.is_of_a ? *region_.inner_b : *region_.inner_a;
     const Vec3 out = region_.is_of_a ? way_ : -way_;
-    const Segment deepest = deepest_of(inner, out);
+    const Segment deepest = farthest_of(inner, out);
     // Seen from the feature, where it is once the two have parted.
     const Vec3 from = deepest.from - out * depth_, to = deepest.to - out * depth_;
     const LocalParting& left = region_.left.parting;
@@ -265,7 +240,7 @@ class RegionPoints {
     Vec3 from;
     Vec3 to;
   };
-  Segment deepest_of(const InnerPart& inner, const Vec3& out) const {
+  Segment farthest_of(const InnerPart& inner, const Vec3& out) const {
     double most = -std::numeric_limits<double>::infinity();
     for (const Vec3& point : inner.points)
       most = std::max(most, dot(point, out));
@@ -289,75 +264,10 @@ class RegionPoints {
     return {inner.points[first] + inner.at, inner.points[last] + inner.at};
   }
 
-  /// Leaves the ends in directions that turn with A, and the deepest. A contact is known by the
-  /// sides of A and of B that the way out leads to and by which end it is, so that it keeps its
-  /// name while triangles change.
-  void keep_ends() {
-    const std::uint64_t side_a = side_of(region_.pose_a, -way_);
-    const std::uint64_t side_b = side_of(region_.pose_b, -way_);
-    Ends ends = ends_about(side_a / 2);
-    take_deepest(ends);
-    for (auto own = ends.begin(); own != ends.end(); ++own) {
-      if (std::find(ends.begin(), own, *own) != own) continue;
-      candidates_.list.push_back(
-          {.point_a = met_[*own].a,
-           .point_b = met_[*own].b,
-           .normal = -way_,
-           .depth = met_[*own].depth,
-           .feature_a = side_a << 3 | static_cast<std::uint64_t>(own - ends.begin()),
-           .feature_b = side_b});
-    }
-  }
-
-  /// In directions across the way out, which an axis of A is nearest to; askew to A's axes, as
-  /// edges seldom are.
-  Ends ends_about(std::size_t k) const {
-    const double* m = region_.pose_a.data();  // column-major 4x4
-    const auto axis = [&](std::size_t i) {
-      return Vec3{m[4 * (i % 3)], m[4 * (i % 3) + 1], m[4 * (i % 3) + 2]};
-    };
-    constexpr double kCosine = 0.95, kSine = 0.31;
-    // How deep a point is does not tell how far out it is.
-    const auto across = [&](const Vec3& along) { return along - way_ * dot(along, way_); };
-    const Vec3 u = across(axis(k + 1) * kCosine + axis(k + 2) * kSine);
-    const Vec3 v = across(axis(k + 2) * kCosine - axis(k + 1) * kSine);
-    return {last_along(u), last_along(v), last_along(u * -1), last_along(v * -1)};
-  }
-
-  /// Of what is level any point may be the deepest by rounding: an end stands for it. Else the
-  /// deepest takes a place and its name, so that a solver finds the impulse of the last step: one
-  /// that another has as well, or that of the deepest end, with which it is level where the two
-  /// change places.
-  void take_deepest(Ends& ends) const {
-    auto place = std::max_element(ends.begin(), ends.end(), [&](std::size_t s, std::size_t t) {
-      return met_[s].depth < met_[t].depth;
-    });
-    const std::size_t deepest = this->deepest();
-    const double most = met_[deepest].depth;
-    if (most - met_[*place].depth <= std::min(kLevelDepth * most, kLevelSize * size_)) return;
-    for (auto own = ends.end(); own-- != ends.begin();)
-      if (std::find(ends.begin(), own, *own) != own) place = own;
-    *place = deepest;
-  }
-
-  std::size_t deepest() const {
-    std::size_t best = 0;
-    for (std::size_t i = 1; i < met_.size(); ++i)
-      if (met_[i].depth > met_[best].depth + kSameDepth * size_) best = i;
-    return best;
-  }
-
-  std::size_t last_along(const Vec3& direction) const {
-    std::size_t best = 0;
-    for (std::size_t i = 1; i < met_.size(); ++i)
-      if (dot(met_[i].a - met_[best].a, direction) > kNegligible * size_) best = i;
-    return best;
-  }
-
   /// Points that two crossings share, or that are on both surfaces, are found twice.
   void drop_doubles() {
     // Sorted by a coordinate, doubles are near each other.
-    std::sort(met_.begin(), met_.end(), [](const Met& s, const Met& t) {
+    std::sort(met_.begin(), met_.end(), [](const MetPoints& s, const MetPoints& t) {
       if (s.a.x != t.a.x) return s.a.x < t.a.x;
       if (s.a.y != t.a.y) return s.a.y < t.a.y;
       return s.a.z != t.a.z ? s.a.z < t.a.z : s.depth > t.depth;
@@ -384,7 +294,7 @@ class RegionPoints {
   bool is_one_plane_ = true;
   bool planes_are_a_ = false;
   std::vector<Plane>& planes_;
-  std::vector<Met>& met_;
+  std::vector<MetPoints>& met_;
   std::vector<Rim>& rims_;
 };
 
