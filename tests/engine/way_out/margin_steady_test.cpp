@@ -106,5 +106,23 @@ TEST(Margin, Law15WhatLiesAndTremblesKeepsItsContacts) {
   }
 }
 
+// Where the two miss each other by less than tells a direction, their faces do: else the nearest
+// points were the one contact.
+TEST(Margin, Law15WhatAllButTouchesHasAllItsContacts) {
+  const Vector3d half(0.25, 0.25, 0.15);
+  const Shape body = tests::tessellated_box(half, 1);
+  RandomSource source(1508);
+  for (int n = 0; n < 2000; ++n) {
+    Pose laid = Pose::Identity();
+    const double turn = source.uniform(-0.3, 0.3);
+    laid.linear() = AngleAxisd(turn, Vector3d::UnitZ()).toRotationMatrix();
+    laid.translation() = Vector3d{source.uniform(-0.01, 0.01), source.uniform(-0.01, 0.01), 0.3};
+    const Manifold found =
+        find_contacts({body}, {body, trembling(laid, source)}, ManifoldSettings{.margin = kMargin});
+    ASSERT_EQ(found.size(), 4u) << n;
+    ASSERT_EQ(found.region_count(), 1u) << n;
+  }
+}
+
 }  // namespace
 }  // namespace graze

@@ -25,6 +25,10 @@ constexpr double kNegligible = 1e-9;
 // long to 1e-10.
 constexpr double kAlongNormal = 1 - 1e-10;
 
+// Of points that are nearer to each other than this share of the pair's scale rounding turns the
+// line between them by more than kNegligible: where faces lie along each other they tell the way.
+constexpr double kUntold = 1e-7;
+
 // Two ways out are one within 2 degrees.
 constexpr double kAlongWay = 0.9994;
 
@@ -130,8 +134,15 @@ void NearTriangles::find_pairs() {
 /// The ways out of what is apart: where two features are as near to each other as anything around
 /// them, and face each other.
 void NearTriangles::find_ways() {
+  const bool nothing_touches = s_.ways.empty();
   for (const NearPair& pair : s_.pairs) {
-    const double negligible = kNegligible * (pair_scale(pair.of_a, pair.of_b));
+    const double scale = pair_scale(pair.of_a, pair.of_b);
+    if (nothing_touches && pair.distance <= kUntold * scale &&
+        -dot(pair.normal_a, pair.normal_b) > kAlongWay) {
+      s_.local.push_back({-pair.normal_b, &pair});
+      continue;
+    }
+    const double negligible = kNegligible * scale;
     if (pair.distance <= negligible) continue;  // those cross or touch
     const Vec3 normal = way_of(pair);
     if (is_local(pair, normal, negligible)) s_.local.push_back({normal, &pair});
@@ -151,7 +162,7 @@ void NearTriangles::find_ways() {
 
 /// Along the line between the nearest points, whose rounding a small distance magnifies: where that
 /// is along a face's normal it is the normal.
-Vec3 NearTriangles::way_of(const NearPair& pair) const {
+Vec3 NearTriangles::way_of(const NearPair& pair) {
   const Vec3 between = (pair.point_b - pair.point_a) * (1 / pair.distance);
   if (-dot(pair.normal_b, between) > kAlongNormal) return -pair.normal_b;
   if (dot(pair.normal_a, between) > kAlongNormal) return pair.normal_a;

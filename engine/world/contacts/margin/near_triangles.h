@@ -61,7 +61,7 @@ class NearTriangles {
   void grow_known();
   void find_pairs();
   void find_ways();
-  narrowphase::Vec3 way_of(const NearPair& pair) const;
+  static narrowphase::Vec3 way_of(const NearPair& pair);
   bool is_local(const NearPair& pair, const narrowphase::Vec3& normal, double negligible) const;
   std::size_t along(const narrowphase::Vec3& normal) const;
   std::uint32_t add_way(const narrowphase::Vec3& normal, double depth);
