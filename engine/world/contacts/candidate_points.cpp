@@ -5,6 +5,7 @@
 #include <graze/engine/world/shapes/placed_core.h>
 #include <graze/narrowphase/convex/contact/contact_points.h>
 #include <graze/narrowphase/convex/contact/deepest_of_faces.h>
+#include <graze/narrowphase/convex/contact/point_name.h>
 #include <graze/narrowphase/convex/core/contact_face.h>
 #include <graze/narrowphase/convex/core/core_ray.h>
 #include <graze/narrowphase/convex/core/segments.h>
@@ -48,12 +49,33 @@ Core segment(const Vec3& from, const Vec3& to) {
   return core;
 }
 
+// A point of a shape beside its deepest one: from this number on.
+constexpr std::uint64_t kBesideFeature = 0x30010;
+
+/// A number for where on a core a point is, by cells of an eighth of its reach.
+std::uint64_t place_on(const Core& core, const Vec3& point) {
+  // Points of what is symmetric are not near where one cell ends.
+  constexpr double kCells = 8, kAside = 8.37;
+  constexpr int kBits = 5;
+  const double reach = core.bounding_radius + core.radius;
+  const Vec3 own = into_own(core, point - core.at) * (kCells / reach);
+  std::uint64_t place = 0;
+  for (const double along : {own.x, own.y, own.z})
+    place = place << kBits | static_cast<std::uint64_t>(std::max(along + kAside, 0.0));
+  return place;
+}
+
 /// What an edge of a mesh, by its ends, and a corner are called in features.
 std::uint64_t edge_feature(std::uint64_t low, std::uint64_t high) {
   return std::uint64_t{1} << 62 | ((low ^ (high * 0x9E3779B1u)) & 0x3fffffff) << 32;
 }
 std::uint64_t corner_feature(std::uint64_t vertex) {
   return std::uint64_t{1} << 63 | (vertex & 0x3fffffff) << 32;
+}
+
+/// Whether a feature is that of a point of a shape, of whatever part of a round side.
+bool is_of_point(std::uint64_t feature) {
+  return (feature & 0xffffffff) == narrowphase::kPointFeature;
 }
 
 /// One point of the mesh, and that of the shape so deep along the normal.
@@ -125,6 +147,7 @@ void TriangleCandidates::add_member(const TouchedTriangle& member) {
         add_point(corner, parting, candidates_.found);
         if (!is_on_shape(candidates_.found.back().point_a)) return;
       }
+      name_point(core_, member.triangle, candidates_.found.back());
       take(corner_feature(numbers_.vertex(vertex)));
       break;
     }
@@ -235,8 +258,12 @@ void TriangleCandidates::add_beside(const TouchedTriangle& member) {
   const Vec3 deepest = rounded_support(core_, out);
   candidates_.found.clear();
   const narrowphase::CoreGap shared = narrowphase::nearest(core_, member.triangle);
+  // Which of several points is deepest may be rounding.
+  std::uint64_t which = kBesideFeature + (place_on(core_, deepest) << 32);
   for (const Vec3& near : {deepest - out * parting.penetration.depth, core_.at, shared.point_b}) {
+    ++which;
     if (!add_before(nearest_on_triangle(member.triangle, near), out)) continue;
+    candidates_.found.back().feature_a = which;  // another of these points is another contact
     return take(face_feature(member.parting.triangle));
   }
   // The line through it leaves the shape beside it: the two graze each other there. What is found
@@ -295,7 +322,7 @@ void TriangleCandidates::drop_doubles(std::size_t first) {
   std::size_t kept = first;
   for (std::size_t i = first; i < list.size(); ++i) {
     const auto is_same = [&](const ContactPoint& other) {
-      const bool is_one_feature = other.feature_a == narrowphase::kPointFeature &&
+      const bool is_one_feature = is_of_point(other.feature_a) &&
                                   list[i].feature_a == other.feature_a &&
                                   list[i].feature_b == other.feature_b;
       return is_one_feature || largest(other.point_b - list[i].point_b) <= within;

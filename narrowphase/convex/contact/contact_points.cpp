@@ -2,6 +2,7 @@
 #include <graze/narrowphase/convex/contact/contact_points.h>
 #include <graze/narrowphase/convex/contact/deepest_of_faces.h>
 #include <graze/narrowphase/convex/contact/meeting_points.h>
+#include <graze/narrowphase/convex/contact/point_name.h>
 #include <graze/narrowphase/convex/contact/reduction.h>
 
 #include <algorithm>
@@ -16,6 +17,9 @@ namespace {
 // far from the first of its points any other lies, contacts of faces nearly say how deep the two
 // are: far more than EPA's tolerance, far less than anything modelled.
 constexpr double kSameDepth = 1e-6, kSameDepths = 1e-5;
+
+// Contacts are in one point where they are within this share of the smaller set's size.
+constexpr double kOnePoint = 1e-6;
 
 // Points of a clipped face that are this share of the scale short of touching still touch: what
 // kTouchTolerance of engine/world allows a hit to be.
@@ -195,6 +199,15 @@ MeetingPoints meeting_of(const Core& a, const Core& b, const Parting& parting) {
   return meeting_points(a, b, penetration);
 }
 
+/// The same along the normal, to rounding; nothing if that line passes a set.
+std::optional<MeetingPoints> ends_of_meeting(const Core& a, const Core& b, const Parting& parting) {
+  const MeetingPoints met = meeting_of(a, b, parting);
+  const Vec3& normal = parting.penetration.normal;
+  const double aside = length(cross(met.on_a - met.on_b, normal));
+  if (aside <= kSlack * kTouching * pair_scale(a, b)) return met;
+  return ends_on_line(a, b, normal, met);
+}
+
 /// What contacts of faces tell of what two sets have in common.
 enum class Told {
   Something,  ///< as of edges, or nothing
@@ -238,18 +251,23 @@ std::optional<MeetingPoints> deepest_ends(const FacePair& faces, const Parting& 
   return best;
 }
 
-/// Adds it if it is deeper than their contacts.
+/// Adds where two faces or edges are deepest, if that is deeper than their contacts.
+void add_meeting(const MeetingPoints& met, const Parting& parting, double deepest, double margin,
+                 std::vector<ContactPoint>& contacts) {
+  const Vec3& normal = parting.penetration.normal;
+  ContactPoint contact{met.on_a,       met.on_b,      normal, depth_between(met, normal),
+                       kDeepestOfFace, kDeepestOfFace};
+  grow(contact, margin);
+  contact.depth = std::min(contact.depth, grown_depth(parting.penetration, margin));
+  if (contact.depth > deepest) contacts.push_back(contact);
+}
+
 void add_deepest_of_faces(const FacePair& faces, const Parting& parting, const LeftOut& left_out,
                           double margin, std::vector<ContactPoint>& contacts) {
   const std::optional<MeetingPoints> ends =
       deepest_ends(faces, parting, left_out.enough, left_out.told);
   if (!ends) return;
-  const Vec3& normal = parting.penetration.normal;
-  ContactPoint contact{ends->on_a,     ends->on_b,    normal, depth_between(*ends, normal),
-                       kDeepestOfFace, kDeepestOfFace};
-  grow(contact, margin);
-  contact.depth = std::min(contact.depth, grown_depth(parting.penetration, margin));
-  if (contact.depth > left_out.deepest) contacts.push_back(contact);
+  add_meeting(*ends, parting, left_out.deepest, margin, contacts);
 }
 
 /// Planes through the edges of a triangle without any area, but for rounding, bound nothing.
@@ -283,6 +301,24 @@ Told add_of_faces(const FacePair& faces, const Penetration& penetration, double 
   return are_all ? Told::AllOfPolygons : Told::OfPolygons;
 }
 
+/// Where a rim meets an edge or another rim, which parts of the polygons that stand for both are
+/// met there is rounding. So of contacts in that point one is left, which is called after the
+/// point.
+void name_meeting(const FacePair& faces, const Parting& parting, std::size_t first,
+                  std::vector<ContactPoint>& contacts) {
+  const Core &a = faces.a, &b = faces.b;
+  if (!parting.has_witnesses || !(is_round(a.kind) || is_round(b.kind))) return;
+  const double within = kOnePoint * smaller_size(a, b);
+  const auto is_there = [&](const ContactPoint& contact) {
+    return largest(contact.point_b - parting.penetration.point_b) <= within;
+  };
+  const auto begin = contacts.begin() + static_cast<std::ptrdiff_t>(first);
+  const auto met = std::find_if(begin, contacts.end(), is_there);
+  if (met == contacts.end()) return;
+  name_point(a, b, *met);
+  contacts.erase(std::remove_if(met + 1, contacts.end(), is_there), contacts.end());
+}
+
 /// Nothing faces anything where one of them has no face at all.
 FacePair faces_of(const Core& a, const Core& b, const Vec3& normal) {
   if (!has_face(a) || !has_face(b)) return {a, b, {}, {}};
@@ -303,6 +339,7 @@ void add_contact_points(const Core& a, const Core& b, const Parting& parting,
   const FacePair faces = faces_of(a, b, normal);
   const Told told = add_of_faces(faces, parting.penetration, margin, contacts);
   const bool is_flat = told != Told::Something;
+  if (contacts.size() > before) name_meeting(faces, parting, before, contacts);
   double deepest = -1, square = 0;
   for (std::size_t i = before; i < contacts.size(); ++i) {
     deepest = std::max(deepest, contacts[i].depth);
@@ -315,8 +352,13 @@ void add_contact_points(const Core& a, const Core& b, const Parting& parting,
   if (deepest >= 0 &&
       depth - deepest <= std::max(kSameDepth * size, kSameDepths * std::sqrt(square))) {
     const double least = least_offered(depth, {margin, size});
-    if (is_flat && deepest < least && deepest - margin < enough() - (depth - least))
+    if (!(deepest < least && deepest - margin < enough() - (depth - least))) return;
+    if (is_flat) {
       add_deepest_of_faces(faces, parting, {deepest, enough(), told}, margin, contacts);
+    } else {
+      const auto ends = ends_of_meeting(a, b, parting);
+      if (ends) add_meeting(*ends, parting, deepest, margin, contacts);
+    }
     return;
   }
   const std::optional<MeetingPoints> of_faces = is_flat ? deepest_of(faces, normal) : std::nullopt;
@@ -324,6 +366,7 @@ void add_contact_points(const Core& a, const Core& b, const Parting& parting,
   const MeetingPoints met = is_there ? *of_faces : meeting_of(a, b, parting);
   contacts.push_back(
       {met.on_a, met.on_b, normal, parting.penetration.depth, kPointFeature, kPointFeature});
+  name_point(a, b, contacts.back());
   grow(contacts.back(), margin);
   if (margin > 0) contacts.back().depth = depth;
 }

@@ -117,6 +117,7 @@ Parting part(const Core& a, const Core& b, const CoreGap& gap) {
     parting.is_asked = true;
     parting.is_failed = !is_least(a, b, gap, penetration);
     prefer_face_normal(a, b, penetration);
+    parting.has_witnesses = penetration.has_witnesses;
   }
   penetration.depth = std::max(penetration.depth, 0.0);
   return parting;

@@ -33,6 +33,9 @@ constexpr double kLacking = 7e-4, kLackingOfSize = 2e-6;
 // What depths of faces that only touch differ by, as a share of the width, is rounding.
 constexpr double kRoundingOfDepths = 0x1p-34;
 
+// What takes another's place takes its name from this near, as a share of the width.
+constexpr double kNear = 0x1p-8;
+
 // A point is on the plane of a face to this share of the size.
 constexpr double kOnFace = 0x1p-36;
 
@@ -256,7 +259,10 @@ void deepen(const Offered& contacts, std::size_t kept, const Extent& extent,
   for (std::size_t i = 1; i < kept; ++i)
     if (contacts.square_between(i, at) < contacts.square_between(next, at)) next = i;
   ContactPoint &nearest = contacts[next], taken = contacts[at];
-  if (!is_aside(taken, within))
+  // What is far away is another contact, if it is so seldom that a place has to be taken.
+  const double far = reduction.surfaces == nullptr ? 2 : kNear;
+  const bool is_near = contacts.square_between(next, at) <= far * far * extent.width * extent.width;
+  if (is_near && !is_aside(taken, within))
     taken.feature_a = nearest.feature_a, taken.feature_b = nearest.feature_b;
   nearest = taken;
 }

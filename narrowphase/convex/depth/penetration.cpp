@@ -1,6 +1,7 @@
 #include <graze/narrowphase/convex/core/hull.h>
 #include <graze/narrowphase/convex/depth/aligned_parting.h>
 #include <graze/narrowphase/convex/depth/expanding_polytope.h>
+#include <graze/narrowphase/convex/depth/nearby_least.h>
 #include <graze/narrowphase/convex/depth/penetration.h>
 
 #include <algorithm>
@@ -222,6 +223,7 @@ Penetration penetration(const Core& a, const Core& b) {
     Penetration result = along(a, b, found.normal);
     result.source = PenetrationSource::Polytope;
     result.lower = found.lower;
+    if (has_bends(a) || has_bends(b)) turn_to_nearby_least(a, b, result);
     return result;
   }
   ShortestWays ways(a, b);

@@ -2,11 +2,13 @@
 // holes narrower than the body, for shapes and for meshes.
 
 #include <graze/engine/mesh/load_mesh.h>
+#include <graze/engine/world/convex_hull.h>
 #include <graze/engine/world/manifold.h>
 #include <graze/engine/world/shape_pairs.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <sstream>
 
 #include "tests/engine/way_out/tessellated.h"
@@ -267,6 +269,27 @@ TEST(WayOut, Law15PiecesOfManyTrianglesAreLeftByTheFloor) {
       ASSERT_NEAR(deepest, depth, 1e-9) << name << " " << n;
     }
   }
+}
+
+/// What lies beside a tip reached farther than what is inside, by less than a twentieth: then the
+/// way that left it out did not part the two, and another region was made of what remained.
+TEST(WayOut, Law15ATipUnderARimIsOneRegion) {
+  const double radius = 0.47726298149337132, half = 0.90660115411254338;
+  const std::vector<tests::ProfilePoint> prism = {
+      {0, -half}, {radius, -half}, {radius, half}, {0, half}};
+  const double height = 0.54009232469503443;
+  const std::vector<tests::ProfilePoint> cone = {
+      {0, -height}, {0.75359681436812109, -height}, {0, height}};
+  const Mesh a = tests::turned_profile(prism, 22, {1, 1}),
+             b = tests::turned_profile(cone, 22, {1, 1});
+  Pose pose(Eigen::AngleAxisd(3 * (std::numbers::pi / 2), Vector3d::UnitX()));
+  pose.translation() = Vector3d(0.40142016203578867, 0.37475751217705122, 0.7980203090892124);
+  const Manifold found = find_contacts({Shape(a), pose}, {Shape(b), Pose::Identity()});
+  const Manifold truth = find_contacts({Shape(ConvexHull(a.vertices())), pose},
+                                       {Shape(ConvexHull(b.vertices())), Pose::Identity()});
+  ASSERT_EQ(found.region_count(), 1u);
+  EXPECT_NEAR(found[0].depth, truth[0].depth, 0.05 * truth[0].depth);
+  EXPECT_LT((found[0].normal - truth[0].normal).norm(), 1e-6);
 }
 
 }  // namespace

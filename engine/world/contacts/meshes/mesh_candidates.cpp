@@ -78,7 +78,8 @@ class MeshWays {
 
   void take(std::uint32_t piece, const PieceWay& way) {
     const Exit& exit = way.touched.parting.exit;
-    if (!s_.clearance.satisfies(exit)) s_.clearance.add(exit);
+    // What lies outside makes no way longer, but is to be out of the way as well.
+    if (!s_.clearance.satisfies(exit)) s_.clearance.add({exit.direction, exit.depth + way.beyond});
     const bool is_listed = std::any_of(s_.taken.begin(), s_.taken.end(), [&](const Taken& taken) {
       return taken.piece == piece && is_one_direction(taken.exit.direction, exit.direction) &&
              std::abs(taken.exit.depth - exit.depth) <= kSameDepth * pieces_.size();

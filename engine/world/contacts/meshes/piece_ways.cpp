@@ -218,7 +218,8 @@ void PieceWays::find_with(Part&& leaving, double limit, const PartingSettings& s
   const std::optional<double> outer = outer_reach(part, -exit.direction, exit.depth);
   way.is_local = outer.has_value();
   // What is outside is beside the triangle's mesh, and need not be lifted out.
-  if (!way.is_partial) exit.depth = std::max(exit.depth - outer.value_or(0), 0.0);
+  way.beyond = way.is_partial ? 0 : std::min(outer.value_or(0), exit.depth);
+  exit.depth -= way.beyond;
   if (way.is_of_a) exit.direction = -exit.direction;
 }
 

@@ -22,6 +22,7 @@ struct PieceWay {
   bool is_found = false;
   bool is_local = false;    ///< it does not lead round a body that goes on
   bool is_partial = false;  ///< it is that of what is about the triangle alone
+  double beyond = 0;        ///< metres, by which what lies outside reaches farther along the way
 };
 
 /// Memory is kept from one pair to the next.
