@@ -254,6 +254,19 @@ TEST(MeshDistance, WorkFollowsTheNeed) {
   EXPECT_LT(near.volume_tests, all.volume_tests);
 }
 
+// A walk begins with what could be much nearer, and looks at the rest once: not anew from the root.
+TEST(MeshDistance, NothingIsLookedAtTwice) {
+  RandomSource source(101);
+  const Mesh sphere = tests::make_sphere(1, 60, 60);
+  Work work;
+  for (int n = 0; n < 20; ++n) {
+    Pose aside = random_pose(0, source);
+    aside.translation() = 2.01 * source.vector(-1, 1).normalized();
+    distance({sphere}, {sphere, aside}, {}, &work);
+  }
+  EXPECT_LT(work.volume_tests, 54000u) << "62,900 if the rest is looked at from the root on";
+}
+
 TEST(Law10MeshDistance, BadInputIsRefusedAndNamed) {
   const Mesh mesh = tests::make_sphere(1, 4, 4);
   Pose bad = Pose::Identity();
