@@ -11,6 +11,7 @@
 #include <graze/engine/mesh/query/wide_query.h>
 #include <graze/narrowphase/derived/directed_gap.h>
 #include <graze/narrowphase/derived/distance_stages.h>
+#include <graze/narrowphase/derived/nearest_vertices.h>
 
 #include <algorithm>
 #include <array>
@@ -46,6 +47,7 @@ class Search {
   /// Looks first for what separates, as the nearest points found so far do.
   void aim_along(const TriangleDistance& found) {
     gap_.set_direction(found);
+    vertices_.set(found);
     const double(&z)[3] = gap_.direction();
     const bvh::LocalFrame& frame = query_.tree_a.frame();
     const double* o = frame.centre;
@@ -95,6 +97,8 @@ class Search {
     const Triangle triangle_b = query_.triangle_b(pair);
     if (gap_.is_beyond(limit_, gap_.end_of(triangle_a), gap_.start_of(triangle_b)))
       return bvh::Walk::Continue;
+    if (const TriangleDistance* known = vertices_.of(triangle_a, triangle_b))
+      return on_pair(pair, *known);
     return on_pair(pair, distance_of(triangle_a, triangle_b, work_));
   }
 
@@ -102,6 +106,7 @@ class Search {
   bvh::RelativeFrame a_in_b_;
   DistanceLimit box_limit_;
   narrowphase::DirectedGap gap_;
+  narrowphase::NearestVertices vertices_;
   double direction_in_a_[3] = {0, 0, 0};
   double point_in_a_[3] = {0, 0, 0};  // in common units, near the nearest found so far
   double limit_ = std::numeric_limits<double>::infinity();
