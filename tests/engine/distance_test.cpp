@@ -261,6 +261,32 @@ TEST(MeshDistance, WorkFollowsTheNeed) {
   EXPECT_LT(near.volume_tests, all.volume_tests);
 }
 
+// A walk begins with what could be much nearer, and looks at the rest once: not anew from the root.
+TEST(MeshDistance, NothingIsLookedAtTwice) {
+  RandomSource source(101);
+  const Mesh sphere = tests::make_sphere(1, 60, 60);
+  Work work;
+  for (int n = 0; n < 20; ++n) {
+    Pose aside = random_pose(0, source);
+    aside.translation() = 2.01 * source.vector(-1, 1).normalized();
+    distance({sphere}, {sphere, aside}, {}, &work);
+  }
+  EXPECT_LT(work.volume_tests, 54000u) << "62,900 if the rest is looked at from the root on";
+}
+
+// Around two vertices that are nearest thirty-six pairs are as far apart: one of them is computed.
+TEST(MeshDistance, OnePairAroundNearestVerticesIsComputed) {
+  RandomSource source(102);
+  const Mesh sphere = tests::make_sphere(1, 60, 60);
+  Work work;
+  for (int n = 0; n < 20; ++n) {
+    Pose aside = random_pose(0, source);
+    aside.translation() = 5 * source.vector(-1, 1).normalized();
+    distance({sphere}, {sphere, aside}, {}, &work);
+  }
+  EXPECT_LT(work.triangle_tests, 700u) << "900 if all of them are computed";
+}
+
 TEST(Law10MeshDistance, BadInputIsRefusedAndNamed) {
   const Mesh mesh = tests::make_sphere(1, 4, 4);
   Pose bad = Pose::Identity();

@@ -31,6 +31,14 @@ HWY_INLINE std::uint32_t bits_of(AnyTag tag, Mask mask) {
   return std::uint32_t{bits[0]} | std::uint32_t{bits[1]} << 8;
 }
 
+/// The reverse, of the lowest bits.
+template <typename AnyTag>
+HWY_INLINE auto lanes_of(AnyTag tag, std::uint32_t lanes) {
+  const std::uint8_t bits[8] = {static_cast<std::uint8_t>(lanes),
+                                static_cast<std::uint8_t>(lanes >> 8)};
+  return hn::LoadMaskBits(tag, bits);
+}
+
 /// Values of the tested node's and the query box's primitives in as many pairs as there are lanes,
 /// from `first` on.
 template <typename AnyTag>

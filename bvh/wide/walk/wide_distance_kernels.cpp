@@ -15,7 +15,9 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <vector>
 
 HWY_BEFORE_NAMESPACE();
 namespace graze::bvh::HWY_NAMESPACE {
@@ -32,17 +34,61 @@ class Walker {
         scale_b_(static_cast<float>(state.into[0].scale)) {}
 
   std::size_t run() {
-    while (!state_.open.empty() && size_ == 0) {
-      const WideDistanceWalk::Waiting pair = state_.open.pop();
-      if (!(pair.squared_bound > limit_)) compare(pair);
-    }
+    do {
+      while (!state_.open.empty() && size_ == 0) {
+        const WideDistanceWalk::Waiting pair = state_.open.pop();
+        if (pair.squared_bound > limit_) continue;
+        if (is_for_later(pair.squared_bound)) {
+          state_.later.push_back(pair);
+        } else {
+          compare(pair);
+        }
+      }
+    } while (size_ == 0 && take_up_later());
     return size_;
   }
 
  private:
+  bool is_for_later(float squared_bound) const {
+    return squared_bound > limit_ * state_.squared_share;
+  }
+
+  /// Nothing is left for later from now on: boxes are opened, nearer ones first, and when these are
+  /// done primitives are handed out. Whether there were any.
+  bool take_up_later() {
+    state_.squared_share = 1;
+    if (state_.later.empty()) {
+      hand_out_later();
+      return size_ > 0;
+    }
+    std::erase_if(state_.later, [&](const auto& pair) { return pair.squared_bound > limit_; });
+    // Keys are not negative, so that their bits have their order; and NaN has its place there.
+    std::sort(state_.later.begin(), state_.later.end(), [](const auto& one, const auto& other) {
+      return std::bit_cast<std::uint32_t>(one.key) > std::bit_cast<std::uint32_t>(other.key);
+    });
+    for (const WideDistanceWalk::Waiting& pair : state_.later)
+      state_.open.push(pair);
+    state_.later.clear();
+    return true;
+  }
+
+  void hand_out_later() {
+    std::vector<BoundedPlaces>& later = state_.later_places;
+    for (; !later.empty() && size_ < WideDistanceWalk::kMostAtOnce; later.pop_back()) {
+      if (!(later.back().squared_bound > limit_)) found_[size_++] = later.back();
+    }
+  }
+
   HWY_INLINE void compare(const WideDistanceWalk::Waiting& pair) {
     const std::uint32_t link_a = pair.a.node->child[pair.a.lane];
     const std::uint32_t link_b = pair.b.node->child[pair.b.lane];
+    if (ChildLink::is_leaf(link_a) && ChildLink::is_leaf(link_b)) {
+      const WideTree::Treelet& treelet_a = state_.tree[0]->treelet(pair.a.treelet);
+      const WideTree::Treelet& treelet_b = state_.tree[1]->treelet(pair.b.treelet);
+      set_query_leaf(query_leaf_, treelet_b, link_b, treelet_a, state_.into[0]);
+      compare_leaves(0, treelet_a, link_a, treelet_b, link_b);
+      return;
+    }
     const bool is_a_opened = is_first_opened(pair.a, link_a, pair.b, link_b, scale_b_);
     open_tested(is_a_opened ? 0 : 1, is_a_opened ? pair.a : pair.b, is_a_opened ? link_a : link_b,
                 is_a_opened ? pair.b : pair.a, is_a_opened ? link_b : link_a);
@@ -61,7 +107,7 @@ class Walker {
     if (is_aligned) {
       set_aligned_bounds(aligned_bounds_, aligned(tested_side, below),
                          aligned(1 - tested_side, query), query.lane);
-      near = not_beyond(near, aligned_bounds_);
+      near = not_beyond(near, aligned_bounds_, limit_);
       if (near == 0) {
         counts_.box_rejections += node.count;
         return;
@@ -80,8 +126,17 @@ class Walker {
       for (std::uint32_t lane = 0; lane < WideNode::kWidth; ++lane)
         promises_.bound[lane] = std::max(promises_.bound[lane], aligned_bounds_[lane]);
     }
-    near = not_beyond(node.lanes(), promises_.bound);
+    near = not_beyond(node.lanes(), promises_.bound, limit_);
     counts_.box_rejections += node.count - static_cast<std::uint32_t>(std::popcount(near));
+    const auto child_with = [&](std::uint32_t lane) HWY_ATTR -> WideDistanceWalk::Waiting {
+      const WideChildRef child = {&node, lane, below.treelet};
+      return {tested_side == 0 ? child : query, tested_side == 0 ? query : child,
+              promises_.bound[lane], promises_.key[lane]};
+    };
+    const std::uint32_t now = not_beyond(near, promises_.bound, limit_ * state_.squared_share);
+    for (std::uint32_t rest = near & ~now; rest != 0; rest &= rest - 1)
+      state_.later.push_back(child_with(static_cast<std::uint32_t>(std::countr_zero(rest))));
+    near = now;
     bool is_query_leaf_set = false;
     while (near != 0) {
       const std::uint32_t lane = farthest(near, promises_.key);
@@ -97,19 +152,20 @@ class Walker {
         compare_leaves(tested_side, tested_treelet, link, query_treelet, query_link);
         continue;
       }
-      const WideChildRef child = {&node, lane, below.treelet};
-      state_.open.push({tested_side == 0 ? child : query, tested_side == 0 ? query : child,
-                        promises_.bound[lane]});
+      state_.open.push(child_with(lane));
     }
   }
 
-  /// Which of these lanes' bounds are not beyond the limit.
-  HWY_INLINE std::uint32_t not_beyond(std::uint32_t lanes,
-                                      const float (&bounds)[WideNode::kWidth]) {
-    std::uint32_t near = 0;
-    for (std::uint32_t lane = 0; lane < WideNode::kWidth; ++lane)
-      near |= static_cast<std::uint32_t>(!(bounds[lane] > limit_)) << lane;
-    return near & lanes;
+  /// Which of these lanes' bounds are not beyond a limit.
+  HWY_INLINE std::uint32_t not_beyond(std::uint32_t lanes, const float (&bounds)[WideNode::kWidth],
+                                      float limit) {
+    const Tag tag;
+    std::uint32_t beyond = 0;
+    for (std::size_t part = 0; part < WideNode::kWidth; part += hn::Lanes(tag)) {
+      const auto values = hn::Load(tag, bounds + part);
+      beyond |= bits_of(tag, hn::Gt(values, hn::Set(tag, limit))) << part;
+    }
+    return lanes & ~beyond;
   }
 
   /// Whether boxes are compared along shared axes: where a walk is soon over it does not pay.
@@ -141,14 +197,12 @@ class Walker {
     const float unit = state_.units[tested_side];
     const std::size_t begin = size_;
     set_tested_leaf(tested_leaf_, tested, tested_link);
-    set_pairs(tested_side);
-    std::uint32_t pairs = pairs_of(count, queries);
+    const std::uint32_t pairs = pairs_of(count, queries);
     counts_.primitive_tests += static_cast<std::uint32_t>(std::popcount(pairs));
-    for (; pairs != 0; pairs &= pairs - 1) {
-      const auto pair = static_cast<std::uint32_t>(std::countr_zero(pairs));
+    lower_limit_to(set_pairs(tested_side, pairs), unit);
+    for (std::uint32_t near = near_pairs(pairs); near != 0; near &= near - 1) {
+      const auto pair = static_cast<std::uint32_t>(std::countr_zero(near));
       const float bound = bounds_[pair] > 0 ? bounds_[pair] : 0;  // infinities may have made it NaN
-      if (bound > limit_) continue;
-      lower_limit_to(corners_[pair], unit);
       const std::uint32_t of_tested = pair / 4;
       const std::uint32_t of_query = pair % 4;
       const PlacePair places = tested_side == 0
@@ -160,10 +214,11 @@ class Walker {
     if (near_.count > 0) look_closer(begin, unit);
   }
 
-  /// Of all pairs of the two leaves: lower bounds of their squared distances, and squared distances
-  /// of their nearest corners.
-  HWY_INLINE void set_pairs(int tested_side) {
+  /// Sets lower bounds of the squared distances of all pairs of the two leaves, and returns the
+  /// squared distance of the nearest corners of those that are there.
+  HWY_INLINE float set_pairs(int tested_side, std::uint32_t pairs) {
     const PairTag tag;
+    auto least = hn::Set(tag, std::numeric_limits<float>::infinity());
     for (std::size_t part = 0; part < kLeafPairs; part += hn::Lanes(tag)) {
       const PairLanes<PairTag> lanes(part);
       const PairBoxes<PairTag> boxes(lanes, tested_leaf_, query_leaf_);
@@ -171,8 +226,21 @@ class Walker {
       hn::Store(squared_gaps(tag, boxes, triangles, query_leaf_.error,
                              state_.direction[tested_side], state_.units[tested_side]),
                 tag, bounds_ + part);
-      hn::Store(squared_corners(tag, triangles), tag, corners_ + part);
+      const auto corners = squared_corners(tag, triangles);
+      least = hn::IfThenElse(lanes_of(tag, pairs >> part), hn::Min(least, corners), least);
     }
+    return hn::GetLane(hn::MinOfLanes(tag, least));
+  }
+
+  /// Which of these pairs are not beyond the limit.
+  HWY_INLINE std::uint32_t near_pairs(std::uint32_t pairs) {
+    const PairTag tag;
+    std::uint32_t beyond = 0;
+    for (std::size_t part = 0; part < kLeafPairs; part += hn::Lanes(tag)) {
+      const auto bounds = hn::Load(tag, bounds_ + part);
+      beyond |= bits_of(tag, hn::Gt(bounds, hn::Set(tag, limit_))) << part;
+    }
+    return pairs & ~beyond;
   }
 
   /// Keeps the pairs that are not beyond the limit along the direction of their nearest points
@@ -183,7 +251,12 @@ class Walker {
     for (std::uint32_t i = 0; i < near_.count; ++i) {
       BoundedPlaces pair = found_[begin + i];
       pair.squared_bound = std::max(pair.squared_bound, bounds[i]);
-      if (!(pair.squared_bound > limit_)) found_[size_++] = pair;
+      if (pair.squared_bound > limit_) continue;
+      if (is_for_later(pair.squared_bound)) {
+        state_.later_places.push_back(pair);
+      } else {
+        found_[size_++] = pair;
+      }
     }
     near_.count = 0;
   }
@@ -212,7 +285,6 @@ class Walker {
   LeafLanes tested_leaf_;
   QueryLeaf query_leaf_;
   alignas(64) float bounds_[kLeafPairs];
-  alignas(64) float corners_[kLeafPairs];
   NearPairs near_;
   Promises promises_;
   alignas(32) float aligned_bounds_[WideNode::kWidth];
@@ -253,7 +325,7 @@ WideDistanceWalk::State::State(const WideTree& tree_a, const WideTree& tree_b,
       units{static_cast<float>(of_b.units_a), static_cast<float>(of_a.units_a)},
       growth(rounded_up(margins.growth * margins.growth)),
       margin(rounded_up(2 * margins.margin * margins.growth)) {
-  open.push({tree_a.root(), tree_b.root(), 0});
+  open.push({tree_a.root(), tree_b.root(), 0, 0});
 }
 
 void WideDistanceWalk::State::align() {
@@ -282,6 +354,11 @@ void WideDistanceWalk::aim_along(const double (&direction)[3], const double (&po
     turn += direction[i] * state_.aligned_aim[i];
   }
   state_.is_turned = !(turn > kAligned);
+}
+
+void WideDistanceWalk::look_first_within(double share) {
+  state_.squared_share = static_cast<float>(share * share);
+  state_.later.reserve(kRoomForLater);
 }
 
 std::size_t WideDistanceWalk::next(std::span<BoundedPlaces> found, double squared_limit) {

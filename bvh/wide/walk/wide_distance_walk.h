@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <limits>
 #include <span>
+#include <vector>
 
 namespace graze::bvh {
 
@@ -29,8 +30,8 @@ struct LengthMargins {
 
 /// Finds the pairs of primitives of two trees that their boxes, corners and planes do not prove
 /// further apart than a limit, nearer ones first as far as bounds and middles tell. Depth first:
-/// the memory is that of the trees' heights. Hands out some at a time, so that the limit can follow
-/// what they turn out to be.
+/// the memory is that of the trees' heights, and of what is left for later. Hands out some at a
+/// time, so that the limit can follow what they turn out to be.
 class WideDistanceWalk {
  public:
   /// One step may find as many pairs.
@@ -40,6 +41,10 @@ class WideDistanceWalk {
   /// units.
   WideDistanceWalk(const WideTree& tree_a, const WideTree& tree_b, const RelativeFrame& b_in_a,
                    const RelativeFrame& a_in_b, const LengthMargins& margins);
+
+  /// Leaves what is beyond this share of the limit for later, when nothing else is left: a good
+  /// limit is found soon, and what is left is looked at once, with that limit. Before next().
+  void look_first_within(double share);
 
   /// The next pairs that may be within the root of `squared_limit`, in common units, and as near as
   /// the nearest two corners that were seen; none when there are no more. `found` has room for
@@ -62,10 +67,11 @@ class WideDistanceWalk {
     WideChildRef a;
     WideChildRef b;
     float squared_bound;
+    float key;  ///< the order in which to look at them: the least first
   };
 
   /// So many nodes are opened before any are aligned: it must be worth it. Measured.
-  static constexpr int kOpenedBefore = 32;
+  static constexpr int kOpenedBefore = 16;
 
   struct State {
     State(const WideTree& tree_a, const WideTree& tree_b, const RelativeFrame& b_in_a,
@@ -84,6 +90,9 @@ class WideDistanceWalk {
     /// Of the distance, by the corners seen.
     float squared_upper_bound = std::numeric_limits<float>::infinity();
     TraversalStack<Waiting, 192> open;
+    float squared_share = 1;  ///< of the limit: what is beyond it is left for later
+    std::vector<Waiting> later;
+    std::vector<BoundedPlaces> later_places;
 
     int opened = 0;
     bool is_turned = false;  ///< whether the direction is, since nodes were aligned
@@ -98,6 +107,8 @@ class WideDistanceWalk {
  private:
   // The cosine of an angle beyond which nodes are aligned anew. Measured.
   static constexpr double kAligned = 0.998;
+  // What is left for later rarely outgrows it. Measured.
+  static constexpr std::size_t kRoomForLater = 512;
 
   State state_;
   WideWalkCounts counts_;
