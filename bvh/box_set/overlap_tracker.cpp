@@ -150,7 +150,7 @@ void OverlapTracker::search_movers() {
   ++searches_for_movers_;
 }
 
-/// Neighbours share blocks of the small tree.
+/// In the order of places, so that neighbours share blocks of the tree over former boxes.
 void OverlapTracker::list_former_boxes() {
   movers_.clear();
   for (std::uint32_t i = 0; i < changed_.size(); ++i) {

@@ -5,8 +5,8 @@
 namespace graze::bvh {
 namespace {
 
-// How many newcomers and holes, and how much inflation, a set without searches for all pairs puts
-// up with before it sorts.
+// How many newcomers and holes, and how much inflation of blocks (layer.h), a set without searches
+// for all pairs puts up with before it sorts.
 constexpr std::size_t kFewNewcomers = 256;
 constexpr std::size_t kNewcomerShare = 8;
 constexpr std::size_t kHoleShare = 8;

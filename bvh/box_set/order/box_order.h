@@ -107,7 +107,7 @@ class BoxOrder {
   std::uint64_t groups_sorted_ = 0;
   std::uint64_t met_sorted_ = 0;  ///< pairs of blocks met in the first search after the last sort
   double excess_ = 0;             ///< pairs of blocks met since then beyond that number
-  double inflation_ = 0;          ///< summed over blocks, kept up by refit() of paths
+  double inflation_ = 0;  ///< summed over blocks (inflation() in layer.h), kept up by refit()
 };
 
 }  // namespace graze::bvh

@@ -20,10 +20,10 @@ struct BoxStore {
   std::vector<LowBlock> low;
   std::vector<std::uint32_t> proxies;  ///< by place; kNobody where a lane is empty
   std::vector<std::uint32_t> places;   ///< by proxy; kNobody for one without a box
-  std::vector<Layer> layers;           ///< by size class; the last holds what came since the sort
-  std::size_t size = 0;                ///< of boxes
-  std::size_t newcomers = 0;           ///< places of the last layer that are or were taken
-  std::size_t holes = 0;               ///< places that boxes have left
+  std::vector<Layer> layers;  ///< by group of sizes; the last holds what came since the sort
+  std::size_t size = 0;       ///< of boxes
+  std::size_t newcomers = 0;  ///< places of the last layer that are or were taken
+  std::size_t holes = 0;      ///< places that boxes have left
   std::vector<std::uint32_t> touched;  ///< blocks whose boxes have changed since the last refit
   bool are_all_touched = false;
   bool was_sorted = false;  ///< whether it ever was

@@ -176,8 +176,8 @@ struct alignas(4 * lanes) FrontPlanes<lanes, FrontBounds::Distance> {
   }
 };
 
-/// The same as they are found: directions as they will be stored, in parts, the gap along what they
-/// were before, and that along themselves.
+/// Planes as they are found: their normals as they will be stored, in whole steps, the gap along
+/// the normals before they were rounded to steps, and the gap along the stored ones.
 template <std::size_t lanes>
 struct alignas(64) FoundPlanes {
   float normal[3][lanes];

@@ -39,7 +39,7 @@ class WideFront {
   static constexpr double kFarthest = 0x1p60;
 
   /// Bounds of how B has moved in A since begin(): no point of B's box came further than
-  /// `distance`, and the changes of its rotation, as lengths of nine numbers, add up to no more
+  /// `distance`, and the changes of its rotation, as Frobenius norms, add up to no more
   /// than `turn`.
   struct MotionBound {
     double distance = 0;
@@ -48,7 +48,7 @@ class WideFront {
 
   /// The poses of a query, and what it asks: from pass().
   struct Pass {
-    /// As in WideDistanceWalk.
+    /// Looks also for gaps along this direction, from A to B in the frame of A.
     void aim_along(const double (&direction)[3]);
 
     Bounds bounds;          ///< what the pass is to prove

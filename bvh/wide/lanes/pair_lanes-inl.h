@@ -56,7 +56,7 @@ class PairLanes {
   /// Of four values.
   HWY_INLINE Values tested(const float* values) const {
     const AnyTag tag;
-    if constexpr (kHasBlocks) {
+    if constexpr (kHas128Bits) {
       if (hn::Lanes(tag) > 4) return hn::TableLookupLanes(hn::LoadDup128(tag, values), tested_);
     }
     return hn::Set(tag, values[first_ / 4]);
@@ -64,12 +64,12 @@ class PairLanes {
 
   HWY_INLINE Values query(const float* values) const {
     const AnyTag tag;
-    if constexpr (kHasBlocks) return hn::LoadDup128(tag, values);
+    if constexpr (kHas128Bits) return hn::LoadDup128(tag, values);
     return hn::LoadU(tag, values + first_ % 4);
   }
 
  private:
-  static constexpr bool kHasBlocks = HWY_TARGET != HWY_SCALAR;
+  static constexpr bool kHas128Bits = HWY_TARGET != HWY_SCALAR;
 
   std::size_t first_;
   decltype(hn::SetTableIndices(AnyTag(), static_cast<const std::int32_t*>(nullptr))) tested_;

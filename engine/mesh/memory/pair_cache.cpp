@@ -126,8 +126,8 @@ void PairCache::place(const Pose& pose_a, const Pose& pose_b) {
 
 bool PairCache::are_beyond(double metres) const {
   if (!(gap_ > metres)) return false;
-  const CachedMesh::DisplacementBound of_a = displacement_from(gap_place_a_, a_);
-  const CachedMesh::DisplacementBound of_b = displacement_from(gap_place_b_, b_);
+  const CachedMesh::DisplacementBound of_a = displacement_from(gap_pose_a_, a_);
+  const CachedMesh::DisplacementBound of_b = displacement_from(gap_pose_b_, b_);
   const double left =
       gap_ - metres * (1 + 0x1p-40) - 0x1p-46 * gap_ - of_a.rounding - of_b.rounding;
   // If only one of the two moved, its motion is the sum.
@@ -146,8 +146,8 @@ bool PairCache::are_still_beyond(double metres, Work* work) {
 void PairCache::learn_gap(double metres) {
   if (!(metres > 0) || !std::isfinite(metres)) return;
   gap_ = metres;
-  gap_place_a_ = place_of(a_);
-  gap_place_b_ = place_of(b_);
+  gap_pose_a_ = pose_of(a_);
+  gap_pose_b_ = pose_of(b_);
 }
 
 bool PairCache::follow(const WideQuery& query) {

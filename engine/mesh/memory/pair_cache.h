@@ -105,15 +105,15 @@ class PairCache {
     alignas(64) Pose pose = Pose::Identity();
     std::uint64_t number = 0;
   };
-  static NumberedPose place_of(const CachedMesh& mesh) { return {mesh.pose(), mesh.pose_number()}; }
+  static NumberedPose pose_of(const CachedMesh& mesh) { return {mesh.pose(), mesh.pose_number()}; }
   static CachedMesh::DisplacementBound displacement_from(const NumberedPose& before,
                                                          const CachedMesh& mesh) {
     return before.number == mesh.pose_number() ? CachedMesh::DisplacementBound()
                                                : mesh.displacement_from(before.pose);
   }
 
-  NumberedPose gap_place_a_;
-  NumberedPose gap_place_b_;
+  NumberedPose gap_pose_a_;
+  NumberedPose gap_pose_b_;
   double gap_ = -1;  ///< metres, in the two poses above; below 0: unknown
 
   double rotation_[3][3];  ///< of B in A, in common units, at the last follow()

@@ -13,7 +13,7 @@ namespace graze {
 struct MeshBall {
   double centre[3];  ///< the middle of the mesh's bounds
   double radius;     ///< no vertex is further from there; infinite where that could overflow
-  double sizes;      ///< sum_of_sizes() of the bounds
+  double sizes;      ///< sum of the magnitudes of the bounds' coordinates
 };
 
 /// Around vertices within `bounds`. Linear.

@@ -44,7 +44,7 @@ std::optional<Sunk> sink(const Shape& a, const Shape& b, Position position, Rand
     found.pose_a.linear() =
         (AngleAxisd(quarters, Vector3d::UnitX()) * AngleAxisd(turn, Vector3d::UnitZ()))
             .toRotationMatrix();
-    start = Vector3d(source.uniform(-1.2, 1.2), source.uniform(-1.2, 1.2), 0);
+    start = Vector3d{source.uniform(-1.2, 1.2), source.uniform(-1.2, 1.2), 0};
   }
   const auto at = [&](double along) {
     Pose pose = found.pose_a;
@@ -100,7 +100,7 @@ TEST_P(BodyIsABody, Law15OfShapesOnMeshes) {
   for (int n = 0; n < 60; ++n) {
     for (const ShapeKind kind : kKinds) {
       const Shape a = tests::random_shape(kind, 0.6, source);
-      const Vector3d half = Vector3d(source.uniform(0.5, 1.5), source.uniform(0.5, 1.5), 1);
+      const Vector3d half{source.uniform(0.5, 1.5), source.uniform(0.5, 1.5), 1};
       const Mesh mesh = tests::tessellated_box(half, 1 << (n % 5));
       const std::optional<Sunk> sunk = sink(a, Box{half}, GetParam(), source);
       if (!sunk) continue;
@@ -116,7 +116,8 @@ TEST_P(BodyIsABody, Law15OfShapesOnMeshes) {
 }
 
 /// Two convex meshes, and the hulls of their vertices. And neither less nor more than the way out:
-/// by 0.95 of it the two still meet, by 1.001 they do not, which the exact test of meshes says.
+/// by 0.95 of it the two still meet, by 1.003 and a millionth of their size, a metre, they do not,
+/// which the exact test of meshes says.
 TEST_P(BodyIsABody, Law15OfMeshesOnMeshes) {
   RandomSource source(152);
   int asked = 0;
@@ -140,7 +141,7 @@ TEST_P(BodyIsABody, Law15OfMeshesOnMeshes) {
             sunk->pose_a.translation() - (0.95 * found[0].depth - 2e-6) * found[0].normal;
         ASSERT_TRUE(intersects({a, away}, {b, sunk->pose_b}));
         away.translation() =
-            sunk->pose_a.translation() - (1.001 * found[0].depth + 1e-8) * found[0].normal;
+            sunk->pose_a.translation() - (1.003 * found[0].depth + 1e-6) * found[0].normal;
         ASSERT_FALSE(intersects({a, away}, {b, sunk->pose_b}));
         ++asked;
       }
@@ -191,12 +192,12 @@ TEST(WayOut, Law15AtRestNothingIsLedSideways) {
     const Shape body = mesh, hull = ConvexHull(mesh.vertices());
     for (int n = 0; n < 1500; ++n) {
       Pose pose = Pose::Identity();
-      const Vector3d about = Vector3d(source.uniform(-1, 1), source.uniform(-1, 1), 0).normalized();
-      pose.linear() = (AngleAxisd(source.uniform(0, 2e-3), about) *
-                       AngleAxisd(source.uniform(-3, 3), Vector3d::UnitZ()))
-                          .toRotationMatrix();
-      pose.translation() = Vector3d(source.uniform(-0.05, 0.05), source.uniform(-0.05, 0.05),
-                                    0.3 - source.uniform(0, 1e-3));
+      const Vector3d about = Vector3d{source.uniform(-1, 1), source.uniform(-1, 1), 0}.normalized();
+      const double lean = source.uniform(0, 2e-3), turn = source.uniform(-3, 3);
+      pose.linear() =
+          (AngleAxisd(lean, about) * AngleAxisd(turn, Vector3d::UnitZ())).toRotationMatrix();
+      pose.translation() = Vector3d{source.uniform(-0.05, 0.05), source.uniform(-0.05, 0.05),
+                                    0.3 - source.uniform(0, 1e-3)};
       const Manifold truth = find_contacts({hull}, {hull, pose});
       const Manifold found = find_contacts({body}, {body, pose});
       if (truth.empty() || found.empty()) continue;

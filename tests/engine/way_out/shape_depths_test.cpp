@@ -77,7 +77,7 @@ Matrix3d special_turn(RandomSource& source) {
     case 3:
       return AngleAxisd(kRight / 2, across).toRotationMatrix();
     default:
-      return AngleAxisd(source.uniform(-3, 3), source.vector(-1, 1).normalized())
+      return AngleAxisd{source.uniform(-3, 3), source.vector(-1, 1).normalized()}
           .toRotationMatrix();
   }
 }
@@ -92,14 +92,14 @@ struct ShapePair {
 void lay_on(ShapePair& pair, const Vector3d& halves, RandomSource& source) {
   const double lean = source.integer(0, 4) == 0 ? 0 : std::pow(10, source.uniform(-9, -2));
   const double about = source.uniform(-3, 3) * (source.integer(0, 3) == 0 ? 1e-4 : 1);
-  const Vector3d axis = Vector3d(source.uniform(-1, 1), source.uniform(-1, 1), 0).normalized();
+  const Vector3d axis = Vector3d{source.uniform(-1, 1), source.uniform(-1, 1), 0}.normalized();
   const Vector3d up = Vector3d::UnitZ();
   pair.of_upper.linear() =
       AngleAxisd(lean, axis).toRotationMatrix() * AngleAxisd(about, up) * pair.of_upper.linear();
   const double spread = source.integer(0, 4) == 0 ? 0 : 0.5;
   const double depth = std::pow(10, source.uniform(-8, -1.5));
-  pair.of_upper.translation() = Vector3d(source.uniform(-spread, spread) * halves.x(),
-                                         source.uniform(-spread, spread) * halves.y(), 0);
+  pair.of_upper.translation() = Vector3d{source.uniform(-spread, spread) * halves.x(),
+                                         source.uniform(-spread, spread) * halves.y(), 0};
   pair.of_upper.translation().z() = tests::reach_of(pair.lower, pair.of_lower, up) +
                                     tests::reach_of(pair.upper, pair.of_upper, -up) - depth;
   pair.size = halves.norm() + pair.of_upper.translation().norm();
@@ -201,10 +201,12 @@ TEST(WayOut, Law15WhatLiesAndTremblesKeepsItsContacts) {
       std::set<ContactFeature> first;
       for (int step = 0; step < 200; ++step) {
         ShapePair pair{lower[s], upper[t]};
-        pair.of_upper.linear() = (AngleAxisd(1e-5 * source.uniform(-1, 1), Vector3d::UnitX()) *
-                                  AngleAxisd(1e-5 * source.uniform(-1, 1), Vector3d::UnitY()) *
-                                  AngleAxisd(0.3, Vector3d::UnitZ()))
-                                     .toRotationMatrix();
+        const double about_x = 1e-5 * source.uniform(-1, 1);
+        const double about_y = 1e-5 * source.uniform(-1, 1);
+        pair.of_upper.linear() =
+            (AngleAxisd(about_x, Vector3d::UnitX()) * AngleAxisd(about_y, Vector3d::UnitY()) *
+             AngleAxisd(0.3, Vector3d::UnitZ()))
+                .toRotationMatrix();
         pair.of_upper.translation() = Vector3d(0.003, 0.002, 0.2993) + 1e-6 * source.vector(-1, 1);
         const Manifold found =
             find_contacts({pair.lower, pair.of_lower}, {pair.upper, pair.of_upper});
