@@ -49,7 +49,8 @@ void count(Answers& answers, Digest& digest, bool is_hit) {
 
 graze::Aabb random_box(Random& random) {
   const Eigen::Vector3d center = random.point(4, -1);
-  const Eigen::Vector3d half{random.integer(2), random.integer(2), random.integer(2)};
+  const double x = random.integer(2), y = random.integer(2), z = random.integer(2);
+  const Eigen::Vector3d half(x, y, z);
   return {center - half.cwiseAbs(), center + half.cwiseAbs()};
 }
 
