@@ -164,6 +164,20 @@ TEST(Law9MeshDistance, OfTinyMeshesFarApart) {
   }
 }
 
+// In the smaller one's units squares overflow a float, in the larger one's they do not: what
+// overflowed says nothing of how near the nearest corners are.
+TEST(Law9MeshDistance, OfTinyMeshesOfUnlikeSizesFarApart) {
+  RandomSource source(99);
+  for (const double size : {0x1p-60, 0x1p-64, 0x1p-80}) {
+    for (int n = 0; n < 10; ++n) {
+      const Mesh a = random_soup({.count = 24, .extent = 0x1p-27, .size = 0x1p-31}, source);
+      const Mesh b = random_soup({.count = 3, .extent = size, .size = size}, source);
+      expect_brute_force({a}, {b, random_pose(4, source)});
+      expect_brute_force({b}, {a, random_pose(4, source)});
+    }
+  }
+}
+
 // A speck beside a giant: in the speck's units the giant is more than a float can hold.
 TEST(Law9MeshDistance, OfASpeckAndAGiant) {
   RandomSource source(98);

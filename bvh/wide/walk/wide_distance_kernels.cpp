@@ -265,6 +265,9 @@ class Walker {
   /// error of a corner's coordinates at either end, and a millionth more for rounding.
   HWY_INLINE void lower_limit_to(float squared_corners, float unit) {
     if (!(unit > 0)) return;  // it is too small for a float to say how far that is
+    // All squares overflowed. The least of infinities is the largest float on Highway's portable
+    // target.
+    if (!(squared_corners < std::numeric_limits<float>::max())) return;
     const float distance = (std::sqrt(squared_corners) + 4 * query_leaf_.error) * unit;
     const float bound = (distance * state_.growth + state_.margin) * (1 + 0x1p-20f);
     const float square = bound * bound * static_cast<float>(kBoundGrowth) + kWideUnderflow;
