@@ -311,6 +311,12 @@ TEST(Law10MeshDistance, BadInputIsRefusedAndNamed) {
   EXPECT_THROW(within({mesh}, {mesh}, std::numeric_limits<double>::quiet_NaN()), InputError);
   EXPECT_TRUE(within({mesh}, {mesh}, HUGE_VAL));
   try {
+    within({mesh}, {mesh}, -1e-9);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(), "clearance: -1e-09 is not a distance");
+  }
+  try {
     distance({mesh}, {mesh}, {.hint = TrianglePair{0, 99}});
     FAIL();
   } catch (const InputError& error) {

@@ -1,5 +1,6 @@
 #include <graze/bvh/error.h>
 #include <graze/bvh/floating_point/standard_arithmetic.h>
+#include <graze/bvh/value/number_text.h>
 #include <graze/bvh/wide/walk/wide_distance_walk.h>
 #include <graze/engine/mesh/distance.h>
 #include <graze/engine/mesh/nearest/distance_limit.h>
@@ -129,7 +130,7 @@ void check_hint(const DistanceSettings& settings, const Mesh& a, const Mesh& b) 
 
 void check_clearance(double clearance) {
   if (clearance >= 0) return;
-  throw InputError("clearance: " + std::to_string(clearance) + " is not a distance");
+  throw InputError("clearance: " + bvh::number_text(clearance) + " is not a distance");
 }
 
 double largest_of(const PlacedMeshView& placed) {

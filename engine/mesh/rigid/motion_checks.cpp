@@ -1,5 +1,6 @@
 #include <graze/bvh/error.h>
 #include <graze/bvh/value/checks.h>
+#include <graze/bvh/value/number_text.h>
 #include <graze/engine/mesh/nearest/distance_parts.h>
 #include <graze/engine/mesh/placing/placement_check.h>
 #include <graze/engine/mesh/rigid/motion_checks.h>
@@ -71,7 +72,7 @@ Eigen::Vector3d unit_axis(const Eigen::Vector3d& axis) {
 const RigidContactSettings& check_settings(const RigidContactSettings& settings) {
   check_clearance(settings.clearance);
   if (settings.tolerance >= 0 && std::isfinite(settings.tolerance)) return settings;
-  throw InputError("tolerance: " + std::to_string(settings.tolerance) + " is not a distance");
+  throw InputError("tolerance: " + bvh::number_text(settings.tolerance) + " is not a distance");
 }
 
 double sum_of_lengths(const RigidMotion& motion) {

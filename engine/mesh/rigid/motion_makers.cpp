@@ -2,6 +2,7 @@
 
 #include <graze/bvh/error.h>
 #include <graze/bvh/floating_point/standard_arithmetic.h>
+#include <graze/bvh/value/number_text.h>
 #include <graze/engine/mesh/rigid/motion_checks.h>
 #include <graze/engine/mesh/rigid/sine_cosine.h>
 #include <graze/engine/mesh/rigid_motion.h>
@@ -120,7 +121,7 @@ RigidMotion RigidMotion::from_velocities(const Pose& start, const RigidVelocitie
     check_finite(velocities.angular, "angular velocity");
     check_finite(velocities.body_centre, "body centre");
     if (!(velocities.duration >= 0 && std::isfinite(velocities.duration)))
-      throw InputError("duration of a motion: " + std::to_string(velocities.duration) +
+      throw InputError("duration of a motion: " + bvh::number_text(velocities.duration) +
                        " is not a time");
     const Eigen::Vector3d centre = narrowphase::place(start, velocities.body_centre);
     const Eigen::Vector3d shift = velocities.linear * velocities.duration;

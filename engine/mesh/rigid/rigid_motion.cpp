@@ -1,6 +1,7 @@
 #include <graze/bvh/error.h>
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/bvh/value/checks.h>
+#include <graze/bvh/value/number_text.h>
 #include <graze/engine/mesh/rigid/motion_checks.h>
 #include <graze/engine/mesh/rigid/sine_cosine.h>
 #include <graze/engine/mesh/rigid_motion.h>
@@ -24,7 +25,8 @@ RigidMotion::RigidMotion(const Pose& start, const RigidCourse& course)
 
 Pose RigidMotion::at(double t) const {
   return bvh::in_standard_arithmetic([&]() -> Pose {
-    if (!(t >= 0 && t <= 1)) throw InputError("time: " + std::to_string(t) + " is not from 0 to 1");
+    if (!(t >= 0 && t <= 1))
+      throw InputError("time: " + bvh::number_text(t) + " is not from 0 to 1");
     const TurnValues turn = turn_values(t * angle_);
     const double* a = axis_.data();
     const double rest = turn.versine, sine = turn.unit.sine;

@@ -1,5 +1,6 @@
 #include <graze/bvh/error.h>
 #include <graze/bvh/floating_point/standard_arithmetic.h>
+#include <graze/bvh/value/number_text.h>
 #include <graze/engine/world/body.h>
 #include <graze/engine/world/compound.h>
 #include <graze/engine/world/drawing/outlines.h>
@@ -25,7 +26,7 @@ void check(const WorldDrawingSettings& settings) {
   }
   const double extent = settings.half_space_extent;
   if (!(extent > 0 && extent <= kLargestLength))
-    throw InputError("draw: half_space_extent is " + std::to_string(extent) + " m");
+    throw InputError("draw: half_space_extent is " + bvh::number_text(extent) + " m");
 }
 
 Eigen::Vector3d middle_of(const Aabb& box) {

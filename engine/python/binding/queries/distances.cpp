@@ -1,3 +1,4 @@
+#include <graze/bvh/value/number_text.h>
 #include <graze/engine/python/binding/arguments/results.h>
 #include <graze/engine/python/binding/arguments/settings.h>
 #include <graze/engine/python/binding/module.h>
@@ -100,7 +101,7 @@ py::object within_of(py::handle a, py::handle b, py::handle clearance_argument,
   const PlacedPair pair(a, b);
   const double clearance = number_from(clearance_argument, "clearance");
   if (!(clearance >= 0))
-    throw InputError("clearance: " + std::to_string(clearance) + " is no distance");
+    throw InputError("clearance: " + bvh::number_text(clearance) + " is no distance");
   Work* work = work_from(work_argument);
   LockedMemory memory(memory_argument, pair);
   const Batch batch = memory.batch(threads, progress);

@@ -1,4 +1,5 @@
 #include <graze/bvh/floating_point/standard_arithmetic.h>
+#include <graze/bvh/value/number_text.h>
 #include <graze/engine/mesh/distance.h>
 #include <graze/engine/mesh/query/query_results.h>
 #include <graze/engine/world/contacts/contact_functions.h>
@@ -103,7 +104,7 @@ FieldNeed need_of(const ManifoldSettings& settings) {
 
 void check_margin(double margin, const char* what) {
   if (std::isfinite(margin) && margin >= 0) return;
-  throw InputError(std::string(what) + ": the margin is " + std::to_string(margin) +
+  throw InputError(std::string(what) + ": the margin is " + bvh::number_text(margin) +
                    ", but must be finite and not negative");
 }
 

@@ -1,4 +1,5 @@
 #include <graze/bvh/error.h>
+#include <graze/bvh/value/number_text.h>
 #include <graze/engine/mesh/containment.h>
 #include <graze/engine/mesh/data/orientation.h>
 #include <graze/engine/mesh/volume_query.h>
@@ -44,7 +45,7 @@ void check_sides(const Shape* shape, const MeshSides& sides, const char* what) {
   const bool has_thickness = sides.sides == Sides::OneSided;
   if (has_thickness ? !(std::isfinite(sides.thickness) && sides.thickness > 0)
                     : sides.thickness != 0) {
-    throw InputError(begin + "the thickness is " + std::to_string(sides.thickness) +
+    throw InputError(begin + "the thickness is " + bvh::number_text(sides.thickness) +
                      ", but must be " + (has_thickness ? "finite and above 0" : "0"));
   }
   if (sides.sides == Sides::Surface) return;
