@@ -15,12 +15,12 @@ namespace graze::bvh {
 /// sort. Finds what overlaps, exactly on the doubles given. It holds where boxes are kept, in which
 /// order, and how they are searched.
 ///
-/// After insert(), move(), erase() or a move of many one of BoxOrder's functions that prepare has
-/// to be called before anything is found.
+/// Boxes come and move by the order, and go by the store. After that, or after a move of many, one
+/// of BoxOrder's functions that prepare has to be called before anything is found.
 ///
-/// What throws for want of memory has lost no box: insert() has not happened, and what puts boxes
-/// in order can be asked for again. move() and erase() throw nothing: where there is no memory for
-/// what saves time later, they do without.
+/// What throws for want of memory has lost no box: BoxOrder::insert() has not happened, and what
+/// puts boxes in order can be asked for again. BoxOrder::move() and BoxStore::erase() throw
+/// nothing: where there is no memory for what saves time later, they do without.
 class BoxSet {
  public:
   /// `threads` share the work; no result depends on their number.
@@ -38,16 +38,9 @@ class BoxSet {
   const BoxOrder& order() const { return order_; }
   BoxOrder& order() { return order_; }
   const BoxSearch& search() const { return search_; }
+  BoxStore& store() { return store_; }
+  BoxSearch& search() { return search_; }
   ManyMoves& many_moves() { return many_moves_; }
-
-  /// Memory for so many more boxes, of proxies below the limit: insert() will throw nothing.
-  void reserve(std::size_t boxes, std::uint32_t proxy_limit) { store_.reserve(boxes, proxy_limit); }
-  void insert(std::uint32_t proxy, const OrderedBox& box) { order_.insert(proxy, box); }
-  void move(std::uint32_t proxy, const OrderedBox& box) { order_.move(proxy, box); }
-  void erase(std::uint32_t proxy) { store_.erase(proxy); }
-
-  /// All pairs that overlap, each once, in an order that the history of the set decides.
-  void find_all_pairs(PairBuffer& out) { order_.note_search(search_.find_all_pairs(out)); }
 
   std::size_t bytes() const {
     return store_.bytes() + order_.bytes() + search_.bytes() + many_moves_.bytes();

@@ -35,7 +35,7 @@ void OverlapTracker::erase(std::uint32_t proxy) {
 /// most one new place.
 void OverlapTracker::wait(const Waiting& change) {
   if (waiting_count_ == kMostWaiting) end_waiting();
-  if (change.verb == Verb::Insert) set_.reserve(kMostWaiting, change.proxy + 1);
+  if (change.verb == Verb::Insert) set_.store().reserve(kMostWaiting, change.proxy + 1);
   waiting_[waiting_count_++] = change;
   const std::uint32_t place = set_.store().place(change.proxy);
   if (place != kNobody) set_.store().prefetch(place);
@@ -47,13 +47,13 @@ void OverlapTracker::end_waiting() {
     note(proxy);
     switch (verb) {
       case Verb::Insert:
-        set_.insert(proxy, ordered_box(box));
+        set_.order().insert(proxy, ordered_box(box));
         break;
       case Verb::Move:
-        set_.move(proxy, ordered_box(box));
+        set_.order().move(proxy, ordered_box(box));
         break;
       case Verb::Erase:
-        set_.erase(proxy);
+        set_.store().erase(proxy);
         break;
     }
   }
@@ -127,7 +127,7 @@ bool OverlapTracker::update() {
 
 void OverlapTracker::search_all() {
   set_.order().prepare_for_search();
-  set_.find_all_pairs(before_);
+  set_.order().note_search(set_.search().find_all_pairs(before_));
   std::swap(pairs_, before_);
   std::swap(rows_, rows_before_);
   is_before_grouped_ = is_grouped_;

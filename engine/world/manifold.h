@@ -115,7 +115,7 @@ inline Manifold& Manifold::operator=(Manifold&& other) noexcept {
   return *this;
 }
 
-/// Where two placed shapes meet; empty exactly when intersects() is false.
+/// Where two placed shapes meet, as a solver asks; empty exactly when intersects() is false.
 ///
 /// **Convex shapes.** All contacts share one normal. Let the tolerance be 1e-6 of the smaller size
 /// and kTouchTolerance of the scale (shape_pairs.h). By how much the two reach past each other

@@ -1,7 +1,6 @@
 #include <graze/bvh/error.h>
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/narrowphase/crossing.h>
-#include <graze/narrowphase/triangle_pair/pair_stages.h>
 #include <graze/narrowphase/triangle_pair/triangle_pair_batch.h>
 #include <graze/narrowphase/triangle_triangle.h>
 #include <string>

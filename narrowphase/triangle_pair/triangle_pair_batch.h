@@ -11,6 +11,24 @@
 
 namespace graze::narrowphase {
 
+// The rounded stages have one error bound for all determinants of a pair. Notation as in
+// orientation_filter.cpp: u is the unit roundoff, n the smallest double.
+//
+// X, Y, Z are the extents of the six vertices together, largest minus smallest coordinate, rounded.
+// Every difference of two of them is at most X, Y, Z even after rounding, which is monotonic. A
+// determinant ((b - a) x (c - a)) . (d - a) of any four of the six, computed as written or with its
+// arguments in another order, is a sum of six monomials, each at most X Y Z, and carries eight
+// roundings in each: three differences, two products, the inner difference and two sums. Exact
+// differences are at most (1 + 1.01 u) times X, Y, Z; the error is at most 6 * 8.0001 u (1 + 4 u)
+// X Y Z, and X Y Z as computed lacks two roundings: 48.01 u X Y Z.
+//
+// Underflow: six products lose n / 2 each and are multiplied by at most X, three more lose n / 2:
+// 3 n X + 1.5 n, with X <= 2^150 below 2^-922. For X Y Z >= 2^-850 the spare 0.99 u X Y Z is above
+// 2^-904. It also covers the rounding of the bound.
+inline constexpr double kPairBound = 49 * 0x1p-53;
+inline constexpr double kSmallestPairVolume = 0x1p-850;
+inline constexpr double kLargestPairExtent = 0x1p+150;
+
 /// Pairs of triangles, coordinate by coordinate, for the triage of all at once.
 class TrianglePairBatch {
  public:
@@ -45,11 +63,19 @@ class TrianglePairBatch {
 /// leaves unsure go to decide_unsure(). The same on every SIMD target.
 Verdicts triage(const TrianglePairBatch& batch);
 
+/// What can be known of two triangles without arithmetic, exactly: triangles that share a vertex
+/// touch, those whose boxes do not are apart. Not finite input is Unsure.
+Verdict compare_coordinates(const Triangle& triangle_a, const Triangle& triangle_b);
+
 /// What decide() answers for a pair that the triage of a batch has left unsure. The rounded
 /// determinants would be the same once more, so they are not computed again: coordinates are
 /// compared, which is exact and may show that the two are apart, or that they share a vertex; else
 /// the exact stage decides. Throws as decide() does.
 Decision decide_unsure(const Triangle& triangle_a, const Triangle& triangle_b, Touch touch);
+
+/// What intersects_exactly() falls back on where coordinates do not fit into integers of 60 bits:
+/// its answer for any coordinates that are finite.
+bool intersects_by_expansions(const Triangle& triangle_a, const Triangle& triangle_b);
 
 /// Bit i is set if pair i is surely apart because one triangle is strictly on one side of the
 /// other's plane: the first half of triage(), for less time. The same on every SIMD target.

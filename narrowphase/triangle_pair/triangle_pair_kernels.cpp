@@ -8,7 +8,6 @@
 
 #include <graze/narrowphase/lanes/row_lanes-inl.h>
 #include <graze/narrowphase/predicates/coordinates.h>
-#include <graze/narrowphase/triangle_pair/pair_stages.h>
 #include <graze/narrowphase/triangle_pair/triangle_pair_batch.h>
 #include <hwy/highway.h>
 
@@ -56,8 +55,9 @@ HWY_INLINE Bound bound_of(const TriangleLanes& s, const TriangleLanes& t) {
   const Lanes y = extent(s.a.y, s.b.y, s.c.y, t.a.y, t.b.y, t.c.y);
   const Lanes z = extent(s.a.z, s.b.z, s.c.z, t.a.z, t.b.z, t.c.z);
   const Lanes volume = hn::Mul(hn::Mul(x, y), z);
-  const Mask is_in_range = hn::And(hn::Ge(volume, hn::Set(tag, kSmallestPairVolume)),
-                                   hn::Le(hn::Max(hn::Max(x, y), z), hn::Set(tag, kLargestExtent)));
+  const Mask is_in_range =
+      hn::And(hn::Ge(volume, hn::Set(tag, kSmallestPairVolume)),
+              hn::Le(hn::Max(hn::Max(x, y), z), hn::Set(tag, kLargestPairExtent)));
   return {hn::Mul(hn::Set(tag, kPairBound), volume), is_in_range};
 }
 

@@ -4,7 +4,7 @@
 #include <graze/narrowphase/lanes/two_lanes.h>
 #include <graze/narrowphase/lanes/verdicts.h>
 #include <graze/narrowphase/predicates/coordinates.h>
-#include <graze/narrowphase/triangle_pair/pair_stages.h>
+#include <graze/narrowphase/triangle_pair/triangle_pair_batch.h>
 #include <graze/narrowphase/triangle_triangle.h>
 #include <cstdint>
 
@@ -93,8 +93,8 @@ Verdict triage(const Triangle& triangle_a, const Triangle& triangle_b) {
       both_of(both_of(are_greater(magnitude(first), limit), are_greater(magnitude(second), limit)),
               are_greater(magnitude(third), limit)));
   const unsigned signs[3] = {sign_bits(first), sign_bits(second), sign_bits(third)};
-  const bool is_in_range = volume >= kSmallestPairVolume && x <= kLargestExtent &&
-                           y <= kLargestExtent && z <= kLargestExtent;
+  const bool is_in_range = volume >= kSmallestPairVolume && x <= kLargestPairExtent &&
+                           y <= kLargestPairExtent && z <= kLargestPairExtent;
   const unsigned one_sided = ~((signs[0] ^ signs[1]) | (signs[0] ^ signs[2]));
   if (is_in_range && (sure & one_sided) != 0) return Verdict::Apart;
   if (!is_in_range || sure != 0b11) return compare_coordinates(triangle_a, triangle_b);

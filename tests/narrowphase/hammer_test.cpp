@@ -1,9 +1,8 @@
 // Many random elements through all stages: what the triage is sure of against the exact stage, and
 // its integers against expansions and long integers.
 
-#include <graze/narrowphase/predicates/coordinates.h>
 #include <graze/narrowphase/triangle_box.h>
-#include <graze/narrowphase/triangle_pair/intersection_signs.h>
+#include <graze/narrowphase/triangle_pair/triangle_pair_batch.h>
 #include <graze/narrowphase/triangle_triangle.h>
 #include <gtest/gtest.h>
 
@@ -69,12 +68,6 @@ Triangle second_triangle(int kind, const Triangle& near, RandomSource& source) {
   return t;
 }
 
-bool by_expansions(const Triangle& s, const Triangle& t) {
-  const double* a = coordinates(s);
-  const double* b = coordinates(t);
-  return meet_exactly(Corners<double>{{a, a + 3, a + 6}}, Corners<double>{{b, b + 3, b + 6}});
-}
-
 bool is_wrong(Verdict verdict, bool truth) {
   return verdict == (truth ? Verdict::Apart : Verdict::Touching);
 }
@@ -91,7 +84,7 @@ void hammer_pairs(int rounds, std::uint64_t seed) {
     ASSERT_FALSE(is_wrong(verdict, truth)) << n;
     unsure += verdict == Verdict::Unsure;
     if (verdict == Verdict::Unsure || n % 64 < kKinds) {
-      ASSERT_EQ(by_expansions(a, b), truth) << n;
+      ASSERT_EQ(intersects_by_expansions(a, b), truth) << n;
     }
   }
   EXPECT_GT(unsure, rounds / 20);

@@ -1,6 +1,5 @@
 #include <graze/bvh/error.h>
 #include <graze/narrowphase/crossing.h>
-#include <graze/narrowphase/triangle_pair/pair_stages.h>
 #include <graze/narrowphase/triangle_pair/triangle_pair_batch.h>
 #include <graze/narrowphase/triangle_triangle.h>
 #include <gtest/gtest.h>

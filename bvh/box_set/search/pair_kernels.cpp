@@ -5,7 +5,7 @@
 #define HWY_TARGET_INCLUDE "graze/bvh/box_set/search/pair_kernels.cpp"
 #include <hwy/foreach_target.h>  // compiles this file once more for each target
 
-#include <graze/bvh/box_set/search/leaf_batch-inl.h>
+#include <graze/bvh/box_set/search/block_lanes-inl.h>
 #include <graze/bvh/box_set/search/pair_kernels.h>
 #include <hwy/highway.h>
 

@@ -30,7 +30,7 @@ inline constexpr float kRoundUp = 1 + 0x1p-20f;
 inline constexpr float kReciprocalError = 1 - kEstimateError;
 
 /// A displacement that is linear in the point, column by column.
-struct alignas(16) StepColumns {
+struct alignas(16) DisplacementColumns {
   float column[4][4];  ///< three of the rotation's change and the translation; the rest is 0
 
   HWY_INLINE void set(const QueryDisplacement& displacement, float scale) {
@@ -44,13 +44,13 @@ struct alignas(16) StepColumns {
   }
 
   /// The displacement of a point.
-  HWY_INLINE void move(const float (&point)[3], float (&step)[4]) const {
+  HWY_INLINE void move(const float (&point)[3], float (&displaced)[4]) const {
     const FourTag tag;
     for (std::size_t part = 0; part < 4; part += hn::Lanes(tag)) {
       auto sum = hn::Load(tag, column[3] + part);
       for (int j = 0; j < 3; ++j)
         sum = hn::MulAdd(hn::Load(tag, column[j] + part), hn::Set(tag, point[j]), sum);
-      hn::StoreU(sum, tag, step + part);
+      hn::StoreU(sum, tag, displaced + part);
     }
   }
 };
@@ -64,12 +64,12 @@ class FrontOutlook {
 
   HWY_INLINE void set(const WideFront::Pass& pass, int tested_side) {
     const QueryDisplacement& since = pass.since[tested_side];
-    since_.set(since, Planes<1>::kStep);
+    since_.set(since, Planes<1>::kUnit);
     turn_ = since.turn;
     error_ = since.error;
     is_predicted_ = pass.deviation < 1;
-    const QueryDisplacement& prediction = pass.step[tested_side];
-    prediction_.set(prediction, -pass.per_distance * Planes<1>::kStep);
+    const QueryDisplacement& prediction = pass.predicted[tested_side];
+    prediction_.set(prediction, -pass.per_distance * Planes<1>::kUnit);
     deviation_ = pass.deviation;
     turning_ = prediction.turn * pass.per_distance * kRoundUp;
     least_spent_ = 2 * prediction.error * pass.per_distance * kRoundUp + pass.deviation;
@@ -112,8 +112,8 @@ class FrontOutlook {
   HWY_INLINE Nearness keep(Planes<lanes>& planes, const FoundPlanes<lanes>& found,
                            std::uint32_t asked, float limit) const {
     const hn::CappedTag<float, lanes> tag;
-    float step[4] = {};
-    since_.move(planes.query.centre, step);
+    float displaced[4] = {};
+    since_.move(planes.query.centre, displaced);
     const auto gained = hn::Set(tag, planes.query.radius() * turn_ * kRoundPlanes - error_);
     const auto spending = spending_of(tag, planes.query);
     std::uint32_t near = 0;
@@ -130,7 +130,7 @@ class FrontOutlook {
       auto stored = hn::Mul(stored_gap, hn::Set(tag, kRoundPlanes));
       for (int i = 0; i < 3; ++i) {
         normal[i] = hn::Load(tag, found.normal[i] + lane);
-        stored = hn::NegMulAdd(normal[i], hn::Set(tag, step[i]), stored);
+        stored = hn::NegMulAdd(normal[i], hn::Set(tag, displaced[i]), stored);
       }
       const auto lasts = is_predicted_ ? spending.lasts(stored_gap, normal) : gap;
       least = hn::Min(least, hn::IfThenElse(is_kept, lasts, least));
@@ -164,11 +164,11 @@ class FrontOutlook {
 
   template <typename AnyTag>
   HWY_INLINE Spending<AnyTag> spending_of(AnyTag tag, const FrontQuery& query) const {
-    float step[4] = {};
-    prediction_.move(query.centre, step);
+    float displaced[4] = {};
+    prediction_.move(query.centre, displaced);
     Spending<AnyTag> spending;
     for (int i = 0; i < 3; ++i)
-      spending.back[i] = hn::Set(tag, step[i]);
+      spending.back[i] = hn::Set(tag, displaced[i]);
     spending.all = hn::Set(tag, query.radius() * turning_ + least_spent_);
     spending.least = hn::Set(tag, deviation_);
     return spending;
@@ -178,17 +178,17 @@ class FrontOutlook {
   template <typename AnyTag, std::size_t lanes>
   HWY_INLINE hn::Vec<AnyTag> gaps(AnyTag tag, const Planes<lanes>& planes, std::size_t lane,
                                   hn::Vec<AnyTag> (&normal)[3]) const {
-    float step[4] = {};
-    since_.move(planes.query.centre, step);
+    float displaced[4] = {};
+    since_.move(planes.query.centre, displaced);
     const float lost = planes.query.radius() * turn_ * (1 / kRoundPlanes) + error_;
     auto gap = hn::Sub(PlaneStore<bounds>::read(tag, planes, lane, normal), hn::Set(tag, lost));
     for (int i = 0; i < 3; ++i)
-      gap = hn::MulAdd(normal[i], hn::Set(tag, step[i]), gap);
+      gap = hn::MulAdd(normal[i], hn::Set(tag, displaced[i]), gap);
     return gap;
   }
 
-  StepColumns since_;
-  StepColumns prediction_;
+  DisplacementColumns since_;
+  DisplacementColumns prediction_;
   float turn_;
   float error_;
   float deviation_;
@@ -255,8 +255,8 @@ class FrontDue {
       const std::uint32_t index = due[i];
       const float later =
           budget_after(outlook_[planes[index].query.tested_side].lasts(planes[index]));
-      // NaN compares false, so that it is due. A budget beyond `due` implies a gap above `limit`.
-      const std::uint32_t kept = later > look_ahead_.due;
+      // NaN compares false, so that it is due. A budget beyond `spent` implies a gap above `limit`.
+      const std::uint32_t kept = later > look_ahead_.spent;
       budgets[index] = chosen(kept, later, budgets[index]);
       due[open] = index;
       open += 1 - kept;
@@ -282,13 +282,14 @@ class FrontDue {
     std::size_t count = 0;
     std::size_t i = 0;
     for (; i + lanes <= size; i += lanes) {
-      const auto is_due = hn::Le(hn::LoadU(tag, budgets.data() + i), hn::Set(tag, look_ahead_.due));
+      const auto is_due =
+          hn::Le(hn::LoadU(tag, budgets.data() + i), hn::Set(tag, look_ahead_.spent));
       count += hn::CompressStore(hn::Iota(indices, static_cast<std::uint32_t>(i)),
                                  hn::RebindMask(indices, is_due), indices, list + count);
     }
     for (; i < size; ++i) {
       list[count] = static_cast<std::uint32_t>(i);
-      count += budgets[i] <= look_ahead_.due;
+      count += budgets[i] <= look_ahead_.spent;
     }
     return count;
   }

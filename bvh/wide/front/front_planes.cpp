@@ -44,8 +44,8 @@ QueryDisplacement::QueryDisplacement(const RelativeFrame& first, const RelativeF
 MotionPrediction::MotionPrediction(const RelativeFrame (&before)[2], const RelativeFrame (&now)[2],
                                    const WideTree& tree_a, const WideTree& tree_b, double distance,
                                    double turn)
-    : step_{QueryDisplacement(before[0], now[0], tree_b, turn),
-            QueryDisplacement(before[1], now[1], tree_a, turn)},
+    : displacement_{QueryDisplacement(before[0], now[0], tree_b, turn),
+                    QueryDisplacement(before[1], now[1], tree_a, turn)},
       distance_(distance) {
   const WideTree* const trees[2] = {&tree_b, &tree_a};
   for (int side = 0; side < 2; ++side) {
@@ -123,12 +123,12 @@ FrontQuery::FrontQuery(const WideChildRef& child, float units, int side_of_teste
 
 FrontPlane::FrontPlane(const double (&direction)[3], double gap_now, const FrontQuery& query,
                        const QueryDisplacement& displacement) {
-  float step[3];
-  set_step(step, query, displacement);
+  float displaced[3];
+  set_displacement(displaced, query, displacement);
   double kept = gap_now;
   for (int i = 0; i < 3; ++i) {
     normal[i] = static_cast<float>(direction[i]);
-    kept -= static_cast<double>(normal[i]) * static_cast<double>(step[i]);
+    kept -= static_cast<double>(normal[i]) * static_cast<double>(displaced[i]);
   }
   kept +=
       static_cast<double>(query.radius()) * static_cast<double>(displacement.turn * kRoundPlanes);
@@ -136,9 +136,10 @@ FrontPlane::FrontPlane(const double (&direction)[3], double gap_now, const Front
 }
 
 float FrontPlane::gap_after(const FrontQuery& query, const QueryDisplacement& displacement) const {
-  float step[3];
-  set_step(step, query, displacement);
-  const float along = gap + normal[0] * step[0] + normal[1] * step[1] + normal[2] * step[2];
+  float displaced[3];
+  set_displacement(displaced, query, displacement);
+  const float along =
+      gap + normal[0] * displaced[0] + normal[1] * displaced[1] + normal[2] * displaced[2];
   return (along - (query.radius() * displacement.turn * (1 / kRoundPlanes) + displacement.error)) *
          kRoundPlanes;
 }

@@ -19,16 +19,14 @@
 // |n| <= 1, they are now beyond these by at least
 //   g + n . ((S - R) c + (v - t)) - r |S - R|.
 // With the pose O, o at begin(), u = (R - O) c + (t - o) and u' = (S - O) c + (v - o) that is g + n
-// . (u' - u) - r |S - R|, and |S - R| is no more than what the turns of all steps between add up
-// to.
+// . (u' - u) - r |S - R|, and |S - R| is no more than what all turns between add up to.
 
 // Predicted motions. A motion mostly goes on as it did before: predicted motion and the deviation
 // from it take the place of the known motions of kinetic data structures. Suppose that in the last
-// step, in which B came as far as D, each point b of a query box was displaced by U(b), and that B
-// comes as far as w from there on.
-// Then b is displaced by (w / D) U(b), and lies no further from there than what all steps have
-// deviated from the prediction in all. So in a ball of radius r around c a gap g along n lasts as
-// long as
+// motion, in which B came as far as D, each point b of a query box was displaced by U(b), and that
+// B comes as far as w from there on. Then b is displaced by (w / D) U(b), and lies no further from
+// there than what all motions have deviated from the prediction in all. So in a ball of radius r
+// around c a gap g along n lasts as long as
 //   w (r |turn| - n . U(c)) / D + deviation < g,
 // whatever the motion does. The motion spent grows as fast as the larger of w and deviation /
 // kDeviation, so that the deviation never exceeds kDeviation times the motion spent. Hence the gap
@@ -72,12 +70,14 @@ class MotionPrediction {
                    double distance) const;
 
   /// The displacement that query boxes are predicted to repeat, in the frame of the tested tree.
-  const QueryDisplacement& step(int tested_side) const { return step_[tested_side]; }
+  const QueryDisplacement& displacement(int tested_side) const {
+    return displacement_[tested_side];
+  }
   float per_distance() const { return static_cast<float>(1 / distance_); }
 
  private:
   struct Query {
-    double rotation[3][3] = {};  ///< the change of it in the predicted step
+    double rotation[3][3] = {};  ///< the change of it that is predicted
     double translation[3] = {};  ///< likewise
     double middle[3] = {};       ///< of the box of everything, common units
     double half[3] = {};
@@ -85,9 +85,9 @@ class MotionPrediction {
     double deviation(const RelativeFrame& before, const RelativeFrame& now, double share) const;
   };
 
-  Query query_[2];             ///< by the side of the tested node
-  QueryDisplacement step_[2];  ///< likewise
-  double distance_ = 1;        ///< by which B came in the step
+  Query query_[2];                     ///< by the side of the tested node
+  QueryDisplacement displacement_[2];  ///< likewise
+  double distance_ = 1;                ///< by which B came with it
 };
 
 /// A ball around what a query box holds, in the frame of its own tree and in common units.
@@ -110,12 +110,12 @@ inline constexpr float kRoundPlanes = 1 - 0x1p-20f;
 inline constexpr float kRoundDown = 1 - 0x1p-22f;
 
 /// How far the middle of a query box has come since begin().
-inline void set_step(float (&step)[3], const FrontQuery& query,
-                     const QueryDisplacement& displacement) {
+inline void set_displacement(float (&displaced)[3], const FrontQuery& query,
+                             const QueryDisplacement& displacement) {
   for (int i = 0; i < 3; ++i) {
-    step[i] = displacement.turned[i][0] * query.centre[0] +
-              displacement.turned[i][1] * query.centre[1] +
-              displacement.turned[i][2] * query.centre[2] + displacement.moved[i];
+    displaced[i] = displacement.turned[i][0] * query.centre[0] +
+                   displacement.turned[i][1] * query.centre[1] +
+                   displacement.turned[i][2] * query.centre[2] + displacement.moved[i];
   }
 }
 
@@ -145,11 +145,11 @@ template <std::size_t lanes, FrontBounds bounds>
 struct FrontPlanes;
 
 /// A pass reads thousands of these, in no order, so that they had better be few cache lines.
-/// Components of normals are whole numbers of kStep, in 16 bits. A normal is made kLength steps
+/// Components of normals are whole numbers of kUnit, in 16 bits. A normal is made kLength units
 /// long before it is rounded, a little less than 1, so that afterwards none is longer than 1.
 template <std::size_t lanes>
 struct alignas(4 * lanes) FrontPlanes<lanes, FrontBounds::Intersection> {
-  static constexpr float kStep = 0x1p-15f;
+  static constexpr float kUnit = 0x1p-15f;
   static constexpr float kLength = 0x1p15f - 2;
 
   float gap[lanes];
@@ -165,7 +165,7 @@ struct alignas(4 * lanes) FrontPlanes<lanes, FrontBounds::Intersection> {
 /// cost far less than a thousandth of a gap: normals are floats.
 template <std::size_t lanes>
 struct alignas(4 * lanes) FrontPlanes<lanes, FrontBounds::Distance> {
-  static constexpr float kStep = 1;
+  static constexpr float kUnit = 1;
 
   float normal[3][lanes];
   float gap[lanes];
@@ -176,8 +176,8 @@ struct alignas(4 * lanes) FrontPlanes<lanes, FrontBounds::Distance> {
   }
 };
 
-/// Planes as they are found: their normals as they will be stored, in whole steps, the gap along
-/// the normals before they were rounded to steps, and the gap along the stored ones.
+/// Planes as they are found: their normals as they will be stored, in whole units, the gap along
+/// the normals before they were rounded to units, and the gap along the stored ones.
 template <std::size_t lanes>
 struct alignas(64) FoundPlanes {
   float normal[3][lanes];

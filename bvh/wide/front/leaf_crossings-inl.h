@@ -1,34 +1,29 @@
 // Which primitives of two leaves surely cross, and which are surely apart. Included once for each
 // SIMD target.
 //
-// What is asked are signs of determinants of three vectors: sums of six products, one component of
-// each, which are no more than the product of the vectors' 1-norms in all. In each component an
-// edge of the tested node from its first corner is off by a, of the query box by b, and the offset
-// between first corners by d, which exceeds both (local_leaves-inl.h), so that one factor after the
-// other may be replaced. With S the sum of the 1-norms of both edges of the tested node, T of the
-// query box, and V what the offset to any corner of the query box adds up to, all of them increased
-// by what they may be off by, heights over the tested node's plane change by no more than
-//   a S V + d S^2 / 2,
-// for edges make a normal of S^2 / 4 at most, and an offset to a corner is off by b + d. Of an edge
-// of each, off by 2.44 a and 2.44 b with what rounds where it is a difference of two, and an offset
-// of length L between any corners, off by 3.44 d + u L, u = 2^-24, the determinant changes by
-//   2.44 (a T + b S) (L + 10.4 d) + (3.44 d + u L) S T,
-// in which a T + b S is S T / 6 at most, for what they may be off by. Determinants round by 6 u of
-// the product of the norms. kSignRounding is 16 u. Small primitives beside large ones are told as
-// well as others, because each counts with its own size.
+// Whether two triangles meet is decided by signs of determinants of three vectors: edges of the
+// two, and offsets between their corners. A sign is sure where the determinant exceeds its error,
+// which CrossingErrors computes for each pair of primitives from their own sizes. So small
+// primitives beside large ones are told apart as well as others.
 //
-// Where primitives are told apart, this is along a vector by which they are so far apart. The
-// normal of a plane is one, and what is said above covers how far either primitive reaches beyond a
-// corner of its own along it as it is computed. The cross product of the edges that bound a gap
-// between segments is one: the line that the planes share meets the plane through one edge and
-// along the other at an end of its own segment, so that this segment, and with it the primitive,
-// are on one side of that. As computed it is off by 3.3 (a T + b S) in each component, so that both
-// reach further along it by 3.3 (a T + b S) (S + T) together.
+// Notation. u = 2^-24. In each component an edge of the tested node, from its first corner, is off
+// by a, one of the query box by b, and the offset between the first corners by d, which is more
+// than either (local_leaves-inl.h). S is the sum of the 1-norms of both edges of the tested node, T
+// that of the query box, V bounds the offset to any corner of the query box; all three are
+// increased by what they may be off by. A determinant is a sum of six products of one component
+// each, which add up to no more than the product of the three 1-norms. Its error is found by
+// replacing one vector after the other.
 //
-// The frame of a tested node is the common one turned by the transpose of a pose, whose determinant
-// is positive: turning changes no sign. The frame's corners are not exactly the placed ones, but d
-// includes law 5's slack, which bounds how far apart the two are. So the signs hold for the placed
-// primitives.
+// Why the signs hold for placed primitives. The frame of a tested node is the common one, turned by
+// the transpose of a pose. The determinant of a pose is positive, so that turning changes no sign.
+// The frame's corners are not exactly the placed ones, but d includes law 5's slack, which bounds
+// how far apart the two are.
+//
+// Where primitives are apart, a direction says so, along which a front keeps the gap. The normal of
+// a plane that has the other primitive on one side is such a direction. So is the cross product of
+// the two edges that bound a gap between segments (CutSegments): the line that both planes share
+// meets the plane through one edge and along the other at an end of its own segment, so that this
+// segment, and with it the primitive, is on one side of that plane.
 
 #if defined(GRAZE_BVH_LEAF_CROSSINGS) == defined(HWY_TARGET_TOGGLE)
 #ifdef GRAZE_BVH_LEAF_CROSSINGS
@@ -43,11 +38,26 @@ HWY_BEFORE_NAMESPACE();
 namespace graze::bvh::HWY_NAMESPACE {
 namespace {
 
-// In the bounds above: what determinants round by, and the factors of errors, rounded up.
+/// What a determinant rounds by, of the product of the 1-norms of its vectors: 16 u for 6 u.
 inline constexpr float kSignRounding = 0x1p-20f;
+
+/// Heights over the tested node's plane change by a S V + d S^2 / 2 at most: edges make a normal of
+/// S^2 / 4 at most, and an offset to a corner is off by b + d. kOffsetError is the factor of the
+/// first term, with what V and S round by; that of the second is 1 in place of 1 / 2.
 inline constexpr float kOffsetError = 1.125f;
+
+/// Of an edge of each primitive and the offset between two corners, of length L, the determinant
+/// changes by
+///   2.44 (a T + b S) (L + 10.4 d) + (3.44 d + u L) S T.
+/// An edge is off by 2.44 a or 2.44 b with what rounds where it is a difference of two, the offset
+/// by 3.44 d + u L. kEdgeError is the factor of (a T + b S) L. kEdgesError d S T covers all that
+/// has the factor d, for a T + b S is S T / 6 at most, because S and T include what they may be off
+/// by.
 inline constexpr float kEdgeError = 2.5f;
 inline constexpr float kEdgesError = 8;
+
+/// A cross product of edges is off by 3.3 (a T + b S) in each component as it is computed. Along it
+/// both primitives together extend further by 3.3 (a T + b S) (S + T).
 inline constexpr float kExtentError = 3.5f;
 
 template <typename AnyTag>

@@ -43,11 +43,12 @@ class BestGap {
     offer(hn::Mul(gap, per_length), per_length, n);
   }
 
-  /// Gaps along three directions at right angles, as lengths of steps, make a gap along their sum.
-  HWY_INLINE void offer_sum(Values square, const Values (&step)[3]) {
+  /// Gaps along three directions at right angles, as vectors along these, make a gap along their
+  /// sum.
+  HWY_INLINE void offer_sum(Values square, const Values (&sum)[3]) {
     const auto padded = hn::Add(square, hn::Set(AnyTag(), kWideUnderflow));
     const auto per_length = hn::ApproximateReciprocalSqrt(padded);
-    offer(hn::Mul(square, per_length), per_length, step);
+    offer(hn::Mul(square, per_length), per_length, sum);
   }
 
   /// Along a vector of a length times `per_length` of 1, or less.
@@ -134,15 +135,15 @@ struct PlaneStore<FrontBounds::Intersection> {
   template <std::size_t lanes>
   using Planes = FrontPlanes<lanes, FrontBounds::Intersection>;
 
-  /// Normals, in steps, and gaps.
+  /// Normals, in units, and gaps.
   template <typename AnyTag, std::size_t lanes>
   HWY_INLINE static hn::Vec<AnyTag> read(AnyTag tag, const Planes<lanes>& planes, std::size_t lane,
                                          hn::Vec<AnyTag> (&normal)[3]) {
     const hn::Rebind<std::int16_t, AnyTag> halves;
     const hn::RebindToSigned<AnyTag> whole;
     for (int i = 0; i < 3; ++i) {
-      const auto steps = hn::LoadU(halves, planes.normal[i] + lane);
-      normal[i] = hn::ConvertTo(tag, hn::PromoteTo(whole, steps));
+      const auto units = hn::LoadU(halves, planes.normal[i] + lane);
+      normal[i] = hn::ConvertTo(tag, hn::PromoteTo(whole, units));
     }
     return hn::Load(tag, planes.gap + lane);
   }
@@ -155,9 +156,9 @@ struct PlaneStore<FrontBounds::Intersection> {
                                const hn::Vec<AnyTag> (&normal)[3], hn::Vec<AnyTag> squared_distance,
                                float unit_of_tested) {
     const hn::Rebind<std::int16_t, AnyTag> halves;
-    const auto shorter = hn::Set(tag, Planes<lanes>::kLength * Planes<lanes>::kStep);
-    // Rounding to steps changes a normal by kLongest at most; what it is off by comes on top.
-    constexpr float kLongest = 0.87f * Planes<lanes>::kStep;
+    const auto shorter = hn::Set(tag, Planes<lanes>::kLength * Planes<lanes>::kUnit);
+    // Rounding to units changes a normal by kLongest at most; what it is off by comes on top.
+    constexpr float kLongest = 0.87f * Planes<lanes>::kUnit;
     auto off = hn::Set(tag, kDirectionError * (kDirectionError + 2 * kLongest));
     for (int i = 0; i < 3; ++i) {
       const auto rounded = hn::NearestInt(hn::Mul(normal[i], hn::Set(tag, Planes<lanes>::kLength)));
@@ -165,7 +166,7 @@ struct PlaneStore<FrontBounds::Intersection> {
       const auto stored = hn::ConvertTo(tag, rounded);
       hn::Store(stored, tag, found.normal[i] + lane);
       const auto change =
-          hn::MulSub(stored, hn::Set(tag, Planes<lanes>::kStep), hn::Mul(normal[i], shorter));
+          hn::MulSub(stored, hn::Set(tag, Planes<lanes>::kUnit), hn::Mul(normal[i], shorter));
       off = hn::MulAdd(change, change, off);
     }
     const auto loss = root_above(tag, hn::Mul(off, squared_distance));

@@ -6,24 +6,25 @@
 namespace graze::bvh {
 namespace {
 
-/// A predicted motion goes further than that in one step, because its length is divided by.
+/// A predicted motion goes further than that from one pass to the next, because its length is
+/// divided by.
 constexpr double kLeastDistance = 0x1p-50;
 
 /// The elements that vectors have room for at first.
 constexpr std::size_t kFirstSize = 64;
 
 /// Pairs whose budget is no larger are due.
-float due_at(const WideFront::Pass& pass, double limit) {
+float spent_at(const WideFront::Pass& pass, double limit) {
   return rounded_up(pass.moved + (limit + 2 * pass.slack) / static_cast<double>(pass.deviation));
 }
 
 FrontHorizon horizon_at(const WideFront::Pass& pass, double limit) {
-  return {limit > 0 ? rounded_up(limit) : 0, due_at(pass, limit)};
+  return {limit > 0 ? rounded_up(limit) : 0, spent_at(pass, limit)};
 }
 
-std::size_t count_due(const std::vector<float>& budgets, float due) {
-  return static_cast<std::size_t>(
-      std::count_if(budgets.begin(), budgets.end(), [due](float budget) { return budget <= due; }));
+std::size_t count_due(const std::vector<float>& budgets, float spent) {
+  return static_cast<std::size_t>(std::count_if(budgets.begin(), budgets.end(),
+                                                [spent](float budget) { return budget <= spent; }));
 }
 
 }  // namespace
@@ -63,7 +64,7 @@ WideFront::Pass WideFront::pass(Bounds bounds) const {
     pass.deviation = kDeviation;
     pass.per_distance = prediction_.per_distance();
     for (int side = 0; side < 2; ++side)
-      pass.step[side] = prediction_.step(side);
+      pass.predicted[side] = prediction_.displacement(side);
   }
   pass.since[0] = QueryDisplacement(first_[0], last_[0], *state_.tree[1], motion_.turn);
   pass.since[1] = QueryDisplacement(first_[1], last_[1], *state_.tree[0], motion_.turn);
@@ -123,10 +124,10 @@ PlacePair WideFront::places_of(std::uint32_t lane_of_leaves) const {
 }
 
 double WideFront::share_due(const Pass& pass, double limit) const {
-  const float due = due_at(pass, limit);
+  const float spent = spent_at(pass, limit);
   const std::size_t all = state_.visits.size() + state_.leaves.size();
-  return static_cast<double>(count_due(state_.visit_budgets, due) +
-                             count_due(state_.leaves_budgets, due)) /
+  return static_cast<double>(count_due(state_.visit_budgets, spent) +
+                             count_due(state_.leaves_budgets, spent)) /
          static_cast<double>(all);
 }
 
@@ -146,11 +147,11 @@ void WideFront::advance(const Pass& pass, double limit, const Foresight& foresig
 bool WideFront::is_due(std::size_t index, const Pass& pass, double limit) {
   const FrontHorizon horizon = horizon_at(pass, limit);
   float& budget = state_.candidate_budgets[index];
-  if (!(budget <= horizon.due)) return false;
+  if (!(budget <= horizon.spent)) return false;
   const FrontQuery& query = state_.distance.of_leaves[state_.candidates[index] / kLeafPairs].query;
   const float gap = state_.candidate_planes[index].gap_after(query, pass.since[query.tested_side]);
   const float later = rounded_down(pass.moved + static_cast<double>(gap));
-  if (!(gap > horizon.limit && later > horizon.due)) return true;
+  if (!(gap > horizon.limit && later > horizon.spent)) return true;
   budget = later;
   return false;
 }

@@ -56,11 +56,11 @@ class WideFront {
     double slack;           ///< of both frames
     TreeTransform into[2];  ///< by the side of the tested node: of query boxes of the other tree
     float units[2];         ///< of each tree, in common units
-    float direction[2][3] = {};  ///< in each tree's frame, from it to the other
-    QueryDisplacement since[2];  ///< of query boxes of the other tree, since begin()
-    float deviation = 1;         ///< kDeviation if a motion is predicted, else 1
-    QueryDisplacement step[2];   ///< that query boxes of the other tree are predicted to repeat
-    float per_distance = 0;      ///< 1 over how far B comes in that step
+    float direction[2][3] = {};      ///< in each tree's frame, from it to the other
+    QueryDisplacement since[2];      ///< of query boxes of the other tree, since begin()
+    float deviation = 1;             ///< kDeviation if a motion is predicted, else 1
+    QueryDisplacement predicted[2];  ///< that query boxes of the other tree are predicted to repeat
+    float per_distance = 0;          ///< 1 over how far B comes with that
 
    private:
     friend class WideFront;
@@ -218,7 +218,7 @@ class WideFront {
     std::vector<std::uint32_t> candidates;  ///< as the lanes of LeafPairs
     std::vector<float> candidate_budgets;
     std::vector<FrontPlane> candidate_planes;
-    std::vector<std::uint32_t> due;  ///< working memory: indices of what a pass looks at
+    std::vector<std::uint32_t> due;  ///< working memory: indices of what is due in a pass
     std::size_t looked_at = 0;       ///< by the last pass, of what there was before it
     float least_budget = 0;          ///< of visits and leaves, if none is busy
     std::uint64_t lanes = 0;         ///< of all visits
@@ -240,10 +240,11 @@ class WideFront {
 
 // What the kernels are asked.
 
-/// Pairs that are further apart than `limit` and whose budget outlasts `due` are skipped.
+/// Pairs that are further apart than `limit` and whose budget is more than `spent` are skipped: the
+/// others are due.
 struct FrontHorizon {
   float limit;  ///< common units
-  float due;    ///< the motion spent, as budgets are
+  float spent;  ///< the motion spent, with slacks and the limit, as budgets are
 };
 
 /// What an update of a front looks at.

@@ -1,5 +1,6 @@
-// A box of one wide tree, or the eight boxes of a node, along the axes of a node of the other.
-// Included once for each SIMD target.
+// What all walks over two wide trees begin with: which child is looked at next, and its box, or the
+// eight boxes of a node, along the axes of a node of the other tree. Included once for each SIMD
+// target.
 
 #if defined(GRAZE_BVH_QUERY_BOX) == defined(HWY_TARGET_TOGGLE)
 #ifdef GRAZE_BVH_QUERY_BOX
@@ -10,8 +11,10 @@
 
 #include <graze/bvh/wide/lanes/tree_transform.h>
 #include <graze/bvh/wide/tree/wide_bounds.h>
+#include <graze/bvh/wide/tree/wide_tree.h>
 #include <hwy/highway.h>
 #include <algorithm>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 
@@ -63,6 +66,43 @@ struct Rows {
 HWY_INLINE float size_of(const WideChildRef& child) {
   const WideNode& node = *child.node;
   return node.half[0][child.lane] + node.half[1][child.lane] + node.half[2][child.lane];
+}
+
+/// Whether the first of two children, which have these links, is the one to open: the larger one
+/// is, unless it is a leaf. `scale` is the unit of the second one's tree in that of the first
+/// one's.
+HWY_INLINE bool is_first_opened(const WideChildRef& first, std::uint32_t first_link,
+                                const WideChildRef& second, std::uint32_t second_link,
+                                float scale) {
+  return ChildLink::is_leaf(second_link) ||
+         (!ChildLink::is_leaf(first_link) && size_of(first) >= size_of(second) * scale);
+}
+
+/// The first lane of the node that a link leads to.
+HWY_INLINE WideChildRef first_below(const WideTree& tree, const WideChildRef& child,
+                                    std::uint32_t link, TreeletCounts& counts) {
+  const std::uint32_t index = ChildLink::index(link);
+  if (!ChildLink::is_treelet(link)) return {child.node + index, 0, child.treelet};
+  return {tree.entered(index, counts).nodes.data(), 0, index};
+}
+
+/// The one of these lanes that has the largest key: what is pushed first is looked at last.
+HWY_INLINE std::uint32_t farthest(std::uint32_t lanes, const float* keys) {
+  auto lane = static_cast<std::uint32_t>(std::countr_zero(lanes));
+  for (std::uint32_t rest = lanes & (lanes - 1); rest != 0; rest &= rest - 1) {
+    const auto other = static_cast<std::uint32_t>(std::countr_zero(rest));
+    if (keys[other] > keys[lane]) lane = other;
+  }
+  return lane;
+}
+
+HWY_INLINE std::uint32_t nearest(std::uint32_t lanes, const float* keys) {
+  auto lane = static_cast<std::uint32_t>(std::countr_zero(lanes));
+  for (std::uint32_t rest = lanes & (lanes - 1); rest != 0; rest &= rest - 1) {
+    const auto other = static_cast<std::uint32_t>(std::countr_zero(rest));
+    if (keys[other] < keys[lane]) lane = other;
+  }
+  return lane;
 }
 
 /// A query box: a box of one tree in the frame of the other.

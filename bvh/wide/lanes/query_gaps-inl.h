@@ -31,7 +31,7 @@ HWY_INLINE Aim aim_of(const WideNode& tested, const QueryInNode& query, const Qu
                   tested.axes[2][i] * direction[2];
     aim.size[i] = std::abs(aim.axes[i]);
   }
-  aim.radius = query.half[0] - box.half[0];  // the margins alone
+  aim.radius = query.half[0] - box.half[0];  // the padding alone
   for (int k = 0; k < 3; ++k) {
     aim.radius +=
         box.half[k] * std::abs(query.axes[k][0] * aim.axes[0] + query.axes[k][1] * aim.axes[1] +

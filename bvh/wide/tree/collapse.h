@@ -2,7 +2,7 @@
 
 #include <graze/bvh/tree/tree.h>
 #include <graze/bvh/wide/tree/fit_node.h>
-#include <graze/bvh/wide/tree/wide_node.h>
+#include <graze/bvh/wide/tree/wide_tree.h>
 
 #include <cstdint>
 #include <span>

@@ -2,7 +2,7 @@
 
 #include <graze/bvh/wide/tree/corner_rows.h>
 #include <graze/bvh/wide/tree/range_moments.h>
-#include <graze/bvh/wide/tree/wide_node.h>
+#include <graze/bvh/wide/tree/wide_tree.h>
 
 #include <cstdint>
 #include <span>

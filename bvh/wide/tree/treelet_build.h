@@ -1,8 +1,8 @@
 #pragma once
 
 #include <graze/bvh/wide/tree/corner_source.h>
-#include <graze/bvh/wide/tree/treelet.h>
 #include <graze/bvh/wide/tree/wide_top.h>
+#include <graze/bvh/wide/tree/wide_tree.h>
 
 #include <cstdint>
 #include <span>

@@ -5,7 +5,7 @@
 #include <graze/bvh/wide/tree/collapse.h>
 #include <graze/bvh/wide/tree/corner_source.h>
 #include <graze/bvh/wide/tree/fit_node.h>
-#include <graze/bvh/wide/tree/treelet.h>
+#include <graze/bvh/wide/tree/wide_tree.h>
 
 #include <cstdint>
 #include <span>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <graze/bvh/wide/tree/corner_source.h>
-#include <graze/bvh/wide/tree/treelet.h>
+#include <graze/bvh/wide/tree/wide_tree.h>
 
 #include <cstdint>
 #include <optional>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <graze/bvh/tree/box_separation.h>
-#include <graze/bvh/wide/tree/wide_node.h>
+#include <graze/bvh/wide/tree/wide_tree.h>
 
 #include <array>
 #include <cstddef>

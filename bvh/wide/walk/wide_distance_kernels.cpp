@@ -5,7 +5,7 @@
 #define HWY_TARGET_INCLUDE "graze/bvh/wide/walk/wide_distance_kernels.cpp"
 #include <hwy/foreach_target.h>  // compiles this file once more for each target
 
-#include <graze/bvh/wide/lanes/child_refs-inl.h>
+#include <graze/bvh/wide/lanes/query_box-inl.h>
 #include <graze/bvh/wide/lanes/query_gaps-inl.h>
 #include <graze/bvh/wide/walk/aligned_node-inl.h>
 #include <graze/bvh/wide/walk/nearest_direction-inl.h>

@@ -4,8 +4,8 @@
 #define HWY_TARGET_INCLUDE "graze/bvh/wide/walk/wide_pair_kernels.cpp"
 #include <hwy/foreach_target.h>  // compiles this file once more for each target
 
-#include <graze/bvh/wide/lanes/child_refs-inl.h>
 #include <graze/bvh/wide/lanes/pair_lanes-inl.h>
+#include <graze/bvh/wide/lanes/query_box-inl.h>
 #include <graze/bvh/wide/lanes/slab_lanes-inl.h>
 #include <graze/bvh/wide/walk/wide_pair_walk.h>
 #include <hwy/highway.h>
