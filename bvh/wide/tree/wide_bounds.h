@@ -18,10 +18,10 @@ namespace graze::bvh {
 /// Coordinates are off. A corner p is known to u |p|. Its coordinate f_i . (p - o) is computed with
 /// an error of less than 4 u |p - o|. The half extent adds u.
 ///
-/// Axes are off. The axes f_i are unit vectors at right angles but for rounding: |f_i . f_j - [i =
-/// j]| < 2.01 u. A box stands for the points o + sum s_i f_i, although what was bounded is f_i . (p
-/// - o): the s_i are the coordinates by the dual basis, which differ from these by 2.01 u times the
-/// sum of all |s_j|.
+/// Axes are off. The axes f_i are unit vectors at right angles but for rounding: each product f_i .
+/// f_j is less than 2.01 u from what it should be, 1 or 0. A box stands for the points o + sum s_i
+/// f_i, although what was bounded are the coordinates above: the s_i are those by the dual basis,
+/// which differ from these by 2.01 u times the sum of all |s_j|.
 ///
 /// All of this is below 8.1 u S.
 inline constexpr float kFitError = 0x1p-19f;
@@ -113,21 +113,19 @@ inline constexpr float kLocalError = 0x1p-21f;
 /// Casts. B moves along e in the frame of A. Axes across e are off by 16 u' in each component, u' =
 /// 2^-53. While two points meet, B has gone no further than they were apart, below 1.8 tau + 7 in
 /// common units, tau as in relative_frame.cpp. Along such an axis it so comes by less than 128 u'
-/// (tau
-/// + 16), which is what the slack begins with; once more of it is added.
+/// of tau + 16, which is what the slack begins with; once more of it is added.
 inline constexpr float kAlignedError = 0x1p-20f;
 
 /// The error of heights over the plane of a primitive: 12 L^2 delta + 40 u L^3 at most, for
 /// kPlaneError L^2 delta + kPlaneRounding L^3. Here delta is the error of a difference of corners,
 /// slack included, and no component of such a difference exceeds L.
 ///
-/// Any vector n will do to look along, and so will the normal n = e x f as it is computed: if n .
-/// (q
-/// - p) is above both n . e and n . f, then q is apart from the primitive of corner p and edges e
-/// and f, by the excess over |n|. As computed n . (q - p) rounds by 16 u L^3. For the exact product
-/// n . e would be zero; from that a component of n is off by 4 u L^2, which makes 12 u L^3. Exact
-/// differences are off by delta + u L in each component from those computed: 6 L^2 (delta + u L)
-/// for each of the two.
+/// Any vector n will do to look along, and so will the normal n = e x f as it is computed. Let r be
+/// the difference of corners q and p. If n . r is above both n . e and n . f, then q is apart from
+/// the primitive of corner p and edges e and f, by the excess over |n|. As computed n . r rounds by
+/// 16 u L^3. For the exact product n . e would be zero; from that a component of n is off by 4 u
+/// L^2, which makes 12 u L^3. Exact differences are off by delta + u L in each component from those
+/// computed: 6 L^2 (delta + u L) for each of the two.
 inline constexpr float kPlaneError = 32;
 inline constexpr float kPlaneRounding = 0x1p-18f;
 
