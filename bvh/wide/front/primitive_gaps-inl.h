@@ -8,7 +8,7 @@
 #define GRAZE_BVH_PRIMITIVE_GAPS
 #endif
 
-#include <graze/bvh/wide/front/leaf_crossings-inl.h>
+#include <graze/bvh/wide/lanes/leaf_crossings-inl.h>
 #include <graze/bvh/wide/front/plane_store-inl.h>
 
 HWY_BEFORE_NAMESPACE();
