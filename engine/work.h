@@ -10,9 +10,9 @@ struct Work {
   std::uint64_t volume_tests = 0;       ///< pairs of bounding volumes tested
   std::uint64_t volume_rejections = 0;  ///< of these, found apart: what lies below was skipped
   std::uint64_t filter_tests = 0;       ///< triangle pairs tested by float before any placing
-  std::uint64_t triangle_tests = 0;     ///< triangle/triangle or triangle/box pairs tested
-  std::uint64_t exact_tests = 0;        ///< of these, those that the rounded stage left unsure
-  std::uint64_t points_tested = 0;      ///< points asked whether a closed mesh encloses them
+  std::uint64_t triangle_tests = 0;  ///< triangle/triangle or triangle/box pairs placed and tested
+  std::uint64_t exact_tests = 0;     ///< of these, those that the rounded stage left unsure
+  std::uint64_t points_tested = 0;   ///< points asked whether a closed mesh encloses them
   /// Pairs of boxes of an earlier walk that were not tested again, because what a PairMemory holds
   /// proves them apart; one for a query that it answered without any walk.
   std::uint64_t skipped_by_memory = 0;

@@ -215,12 +215,26 @@ TEST(Pair, WorkFollowsTheNeed) {
   EXPECT_EQ(far.trees_built, 0u);
   const Work deep = work_at(0.5);
   EXPECT_EQ(deep.trees_built, 1u) << "both are the same mesh";
-  EXPECT_GT(deep.triangle_tests, 0u);
+  EXPECT_GT(deep.filter_tests, 0u);
   Work pairs;
   Pose pose = Pose::Identity();
   pose.translation().x() = 0.5;
   find_triangle_pairs({sphere}, {sphere, pose}, {}, &pairs);
-  EXPECT_LT(20 * deep.triangle_tests, pairs.triangle_tests) << "a boolean stops at its first yes";
+  EXPECT_LT(20 * deep.filter_tests, pairs.filter_tests) << "a boolean stops at its first yes";
+}
+
+TEST(Pair, WhatSurelyCrossesIsNotPlaced) {
+  const Mesh sphere = tests::make_sphere(1, 40, 40);
+  RandomSource source(521);
+  Work work;
+  std::size_t found = 0;
+  for (int n = 0; n < 10; ++n) {
+    const Pose pose = tests::random_pose(0.5, source);
+    found += find_triangle_pairs({sphere}, {sphere, pose}, {}, &work).size();
+  }
+  EXPECT_GT(found, 1000u);
+  EXPECT_LT(work.triangle_tests, found / 2) << "twice as many as are found, if all are placed";
+  EXPECT_LT(work.exact_tests, 10u);
 }
 
 TEST(Pair, ABooleanStopsAtItsFirstYesWhateverPrunes) {

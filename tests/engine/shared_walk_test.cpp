@@ -26,7 +26,7 @@ class SharedWalkTest : public testing::Test {
       found.push_back(pair);
       return bvh::Walk::Continue;
     };
-    bvh::PlacePair places[bvh::WidePairWalk::kMostAtOnce];
+    bvh::FoundPair places[bvh::WidePairWalk::kMany];
     for (; turn; turn = shared_.take(walk)) {
       ++turns;
       while (const std::size_t count = walk.next(places)) {

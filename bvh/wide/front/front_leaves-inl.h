@@ -9,9 +9,9 @@
 #endif
 
 #include <graze/bvh/wide/front/front_due-inl.h>
-#include <graze/bvh/wide/front/leaf_crossings-inl.h>
 #include <graze/bvh/wide/front/local_leaves-inl.h>
 #include <graze/bvh/wide/front/plane_store-inl.h>
+#include <graze/bvh/wide/lanes/leaf_crossings-inl.h>
 
 #include <bit>
 #include <cstdint>
@@ -232,7 +232,7 @@ class FrontLeaves : protected FrontDue<bounds> {
       Meetings found;
       for (std::size_t first = 0; first < kLeafPairs; first += hn::Lanes(tag)) {
         const LocalPairs<PairTag> pairs(leaves_, first);
-        found.add(LeafCrossings<PairTag>(pairs, leaves_.errors()), first);
+        found.add(LeafCrossings<PairTag>(pairs, leaves_.errors().of_pairs(tag)), first);
       }
       const std::uint32_t open = list(index, asked, found);
       state_.busy[busy] = index;
@@ -267,7 +267,7 @@ class FrontLeaves : protected FrontDue<bounds> {
       FoundPlanes<kLeafPairs> gaps;
       for (std::size_t first = 0; first < kLeafPairs; first += hn::Lanes(tag)) {
         const LocalPairs<PairTag> pairs(leaves_, first);
-        const LeafCrossings<PairTag> crossings(pairs, leaves_.errors());
+        const LeafCrossings<PairTag> crossings(pairs, leaves_.errors().of_pairs(tag));
         met.add(crossings, first);
         PrimitiveGaps<PairTag> found(pairs, leaves_.errors().offset);
         found.look_at(crossings);
@@ -349,7 +349,7 @@ class FrontLeaves : protected FrontDue<bounds> {
     FoundPlanes<kLeafPairs> gaps;
     for (std::size_t first = 0; first < kLeafPairs; first += hn::Lanes(tag)) {
       const LocalPairs<PairTag> pairs(leaves_, first);
-      const LeafCrossings<PairTag> crossings(pairs, leaves_.errors());
+      const LeafCrossings<PairTag> crossings(pairs, leaves_.errors().of_pairs(tag));
       PrimitiveGaps<PairTag> found(pairs, leaves_.errors().offset);
       found.look_at(crossings);
       found.look_along(pass_.direction[leaves.tested_side]);

@@ -20,7 +20,7 @@
 #endif
 
 #include <graze/bvh/wide/front/wide_front.h>
-#include <graze/bvh/wide/lanes/pair_lanes-inl.h>
+#include <graze/bvh/wide/lanes/leaf_crossings-inl.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace graze::bvh::HWY_NAMESPACE {
@@ -32,6 +32,12 @@ struct LocalErrors {
   float tested;
   float query;
   float offset;
+
+  /// The same for all pairs of two leaves.
+  template <typename AnyTag>
+  HWY_INLINE PairErrors<AnyTag> of_pairs(AnyTag tag) const {
+    return {hn::Set(tag, tested), hn::Set(tag, query), hn::Set(tag, offset)};
+  }
 };
 
 /// Two leaves beside each other.
@@ -110,12 +116,11 @@ class LocalLeaves {
 
 /// Some pairs of the primitives of two leaves, one in each lane.
 template <typename AnyTag>
-struct LocalPairs {
+struct LocalPairs : PairEdges<AnyTag> {
   using Values = hn::Vec<AnyTag>;
-
-  Values tested[2][3];  ///< edges from the first corner to the others
-  Values query[2][3];
-  Values offset[3];  ///< from the tested primitive's first corner to the other's
+  using PairEdges<AnyTag>::offset;
+  using PairEdges<AnyTag>::query;
+  using PairEdges<AnyTag>::tested;
 
   /// From pair `first` on.
   HWY_INLINE LocalPairs(const LocalLeaves& leaves, std::size_t first) {

@@ -67,7 +67,8 @@ HWY_INLINE void set_tested_leaf(LeafLanes& leaf, const WideTree::Treelet& tested
 
 /// The leaf that a query box bounds, in the coordinates of the tested node's treelet.
 struct QueryLeaf : LeafLanes {
-  float error;  ///< of each coordinate of a difference of corners, one of either leaf
+  float error;       ///< of each coordinate of a difference of corners, of this leaf or of both
+  float sign_error;  ///< the same; infinite where products of three differences could overflow
 };
 
 HWY_INLINE void set_query_leaf(QueryLeaf& leaf, const WideTree::Treelet& query, std::uint32_t link,
@@ -86,8 +87,10 @@ HWY_INLINE void set_query_leaf(QueryLeaf& leaf, const WideTree::Treelet& query, 
                                    tested.origin[i]);
     largest = std::max(largest, std::abs(offset[i]));
   }
-  leaf.error = transform.slack + kCornerError * (query.largest_coordinate * scale +
-                                                 tested.largest_coordinate + largest);
+  const float sizes = query.largest_coordinate * scale + tested.largest_coordinate + largest;
+  leaf.error = transform.slack + kCornerError * sizes;
+  leaf.sign_error =
+      sizes < kLargestPlaneExtent ? leaf.error : std::numeric_limits<float>::infinity();
   for (std::size_t part = 0; part < 4; part += hn::Lanes(tag)) {
     Four p[3][3];
     for (std::uint32_t c = 0; c < 3; ++c) {

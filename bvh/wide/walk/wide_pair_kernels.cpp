@@ -7,9 +7,11 @@
 #include <graze/bvh/wide/lanes/pair_lanes-inl.h>
 #include <graze/bvh/wide/lanes/query_box-inl.h>
 #include <graze/bvh/wide/lanes/slab_lanes-inl.h>
+#include <graze/bvh/wide/walk/pair_batch-inl.h>
 #include <graze/bvh/wide/walk/wide_pair_walk.h>
 #include <hwy/highway.h>
 
+#include <algorithm>
 #include <bit>
 
 HWY_BEFORE_NAMESPACE();
@@ -134,20 +136,33 @@ HWY_INLINE std::uint32_t smaller_lanes(const WideNode& node, float size) {
 /// is followed before the others are looked at.
 constexpr int kMostAtATime = 3;
 
+/// A step ends when leaves were left with more pairs than these: what it has not looked at waits.
+/// They are counted before it is known which of them cross, so that the order of the walk does not
+/// depend on what rounding leaves unsure.
+constexpr std::size_t kMostSeen = 8;
+
 /// One walk, from where it stopped to where it has found enough.
 class Walker {
  public:
-  Walker(WidePairWalk::State& state, std::span<PlacePair> found, WideWalkCounts& counts)
+  Walker(WidePairWalk::State& state, std::span<FoundPair> found, WideWalkCounts& counts)
       : state_(state),
         found_(found),
         counts_(counts),
+        most_seen_(std::min(found.size() - WidePairWalk::kMostAtOnce, kMostSeen)),
         scale_b_(static_cast<float>(state.into[0].scale)) {}
 
   std::size_t run() {
-    while (!state_.open.empty() && size_ + WidePairWalk::kMostAtOnce <= found_.size()) {
-      if (state_.steps_left != 0) look_elsewhere_in_time();
-      compare(state_.open.pop());
+    while (!state_.open.empty()) {
+      seen_ = 0;
+      while (!state_.open.empty() && seen_ <= most_seen_) {
+        if (state_.steps_left != 0) look_elsewhere_in_time();
+        compare(state_.open.pop());
+      }
+      if (size_ + pairs_.size() + most_seen_ + WidePairWalk::kMostAtOnce <= found_.size()) continue;
+      decide();
+      if (size_ > 0) return size_;
     }
+    decide();
     return size_;
   }
 
@@ -217,7 +232,7 @@ class Walker {
     const bool are_slabs_asked = node.has_slabs && queries.node->has_slabs;
     const bool are_many = std::popcount(lanes) > kMostAtATime;
     alignas(32) float squared_distances[WideNode::kWidth];
-    while (lanes != 0 && size_ + WidePairWalk::kMostAtOnce <= found_.size()) {
+    while (lanes != 0 && seen_ <= most_seen_) {
       const std::uint32_t lane =
           are_many ? nearest(lanes, squared_distances_) : farthest(lanes, squared_distances_);
       lanes &= ~(1u << lane);
@@ -247,6 +262,7 @@ class Walker {
                                   std::uint32_t query_link) {
     const bool is_query_leaf = ChildLink::is_leaf(query_link);
     bool is_query_leaf_set = false;
+    are_query_edges_set_ = false;
     if (is_query_leaf && std::popcount(near) > 1) {
       set_query_leaf(query_leaf_, state_.tree[1 - tested_side]->treelet(query.treelet), query_link,
                      state_.tree[tested_side]->treelet(below.treelet), state_.into[tested_side]);
@@ -267,7 +283,8 @@ class Walker {
           set_query_leaf(query_leaf_, query_treelet, query_link, tested_treelet,
                          state_.into[tested_side]);
         is_query_leaf_set = true;
-        compare_leaves(tested_side, tested_treelet, link, query_treelet, query_link);
+        compare_leaves(tested_side, tested_treelet, {below.node, lane, below.treelet}, query,
+                       query_link);
         continue;
       }
       push(tested_side, {below.node, lane, below.treelet}, query);
@@ -295,27 +312,53 @@ class Walker {
   }
 
   HWY_INLINE void compare_leaves(int tested_side, const WideTree::Treelet& tested,
-                                 std::uint32_t tested_link, const WideTree::Treelet& query,
+                                 const WideChildRef& tested_leaf, const WideChildRef& query_leaf,
                                  std::uint32_t query_link) {
-    const std::uint32_t first = tested.first + ChildLink::first(tested_link);
-    const std::uint32_t first_query = query.first + ChildLink::first(query_link);
+    const std::uint32_t tested_link = tested_leaf.node->child[tested_leaf.lane];
     counts_.primitive_tests += ChildLink::count(tested_link) * ChildLink::count(query_link);
     set_tested_leaf(tested_leaf_, tested, tested_link);
-    std::uint32_t near = near_primitives(tested_leaf_, query_leaf_) &
-                         pairs_of(ChildLink::count(tested_link), ChildLink::count(query_link));
+    const std::uint32_t near =
+        near_primitives(tested_leaf_, query_leaf_) &
+        pairs_of(ChildLink::count(tested_link), ChildLink::count(query_link));
+    if (near != 0) gather(tested_side, tested_leaf, query_leaf, near);
+  }
+
+  /// What two leaves are left with. Not inlined: most are left with nothing.
+  HWY_NOINLINE void gather(int tested_side, const WideChildRef& tested_leaf,
+                           const WideChildRef& query_leaf, std::uint32_t near) {
+    const WideTree::Treelet& tested = state_.tree[tested_side]->treelet(tested_leaf.treelet);
+    const WideTree::Treelet& query = state_.tree[1 - tested_side]->treelet(query_leaf.treelet);
+    const TreeTransform& transform = state_.into[tested_side];
+    if (!are_query_edges_set_) set_query_edges(query_edges_, query, query_leaf, transform);
+    are_query_edges_set_ = true;
+    const PairBatch::Leaves leaves{tested_leaf_, query_leaf_, query_edges_,
+                                   tested_edge_error(tested, tested_leaf, transform.slack)};
+    const std::uint32_t first =
+        tested.first + ChildLink::first(tested_leaf.node->child[tested_leaf.lane]);
+    const std::uint32_t first_query =
+        query.first + ChildLink::first(query_leaf.node->child[query_leaf.lane]);
+    seen_ += static_cast<std::size_t>(std::popcount(near));
     for (; near != 0; near &= near - 1) {
       const auto pair = static_cast<std::uint32_t>(std::countr_zero(near));
       const std::uint32_t place = first + pair / 4;
       const std::uint32_t place_of_query = first_query + pair % 4;
-      found_[size_++] =
-          tested_side == 0 ? PlacePair{place, place_of_query} : PlacePair{place_of_query, place};
+      pairs_.add(
+          leaves, pair / 4, pair % 4,
+          tested_side == 0 ? PlacePair{place, place_of_query} : PlacePair{place_of_query, place});
+      if (pairs_.is_full()) decide();
     }
   }
 
+  HWY_INLINE void decide() {
+    if (pairs_.size() > 0) size_ += pairs_.decide(found_.data() + size_);
+  }
+
   WidePairWalk::State& state_;
-  std::span<PlacePair> found_;
+  std::span<FoundPair> found_;
   WideWalkCounts& counts_;
   std::size_t size_ = 0;
+  std::size_t seen_ = 0;   ///< pairs that leaves were left with since it last looked at what waits
+  std::size_t most_seen_;  ///< before it does so again
   float scale_b_;
   Query query_{};
   QueryInNode in_node_;
@@ -323,10 +366,13 @@ class Walker {
   LeafLanes tested_leaf_;
   QueryLeaf query_leaf_;
   LeafInNode leaf_in_node_;
+  QueryEdges query_edges_;
+  bool are_query_edges_set_ = false;  ///< those of query_leaf_
+  PairBatch pairs_;
   alignas(32) float squared_distances_[WideNode::kWidth];
 };
 
-std::size_t walk(WidePairWalk::State& state, std::span<PlacePair> found, WideWalkCounts& counts) {
+std::size_t walk(WidePairWalk::State& state, std::span<FoundPair> found, WideWalkCounts& counts) {
   return Walker(state, found, counts).run();
 }
 
@@ -345,7 +391,7 @@ WidePairWalk::WidePairWalk(const WideTree& tree_a, const WideTree& tree_b,
   state_.open.push({tree_a.root(), tree_b.root()});
 }
 
-std::size_t WidePairWalk::next(std::span<PlacePair> found) {
+std::size_t WidePairWalk::next(std::span<FoundPair> found) {
   return HWY_DYNAMIC_DISPATCH(walk)(state_, found, counts_);
 }
 

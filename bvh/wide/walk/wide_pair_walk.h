@@ -17,6 +17,12 @@ struct PlacePair {
   std::uint32_t b;
 };
 
+/// Two primitives that surely cross, or that may meet.
+struct FoundPair {
+  PlacePair places;
+  bool do_cross;
+};
+
 /// What a walk did.
 struct WideWalkCounts {
   std::uint64_t box_tests = 0;        ///< pairs of boxes, eight at most by one kernel
@@ -25,22 +31,24 @@ struct WideWalkCounts {
   TreeletCounts treelets;             ///< because this walk was the first to enter them
 };
 
-/// Finds the pairs of leaves of two trees that their boxes do not prove apart: a box of one tree
+/// Finds the pairs of primitives of two trees that nothing proves apart: a box of one tree
 /// against the eight children of a node of the other. Hands out a few at a time and goes on where
 /// it stopped, so that no callback stands in the loop. Which pairs it finds, but not their order,
-/// may differ between SIMD targets in what does not meet anyway.
+/// may differ between SIMD targets in what does not meet anyway, and so may which of them are sure.
 class WidePairWalk {
  public:
   /// One step may find as many pairs: next() stops when there might not be room for these.
   static constexpr std::size_t kMostAtOnce =
       WideNode::kWidth * ChildLink::kMaxLeafSize * ChildLink::kMaxLeafSize;
+  /// Room for the pairs of several steps: pairs of different leaves are decided together.
+  static constexpr std::size_t kMany = 2 * kMostAtOnce;
 
   /// How tree B lies in tree A and how A lies in B, each with its slack (law 5).
   WidePairWalk(const WideTree& tree_a, const WideTree& tree_b, const RelativeFrame& b_in_a,
                const RelativeFrame& a_in_b);
 
   /// The next pairs; none when there are no more.
-  std::size_t next(std::span<PlacePair> found);
+  std::size_t next(std::span<FoundPair> found);
 
   /// For a query that is over with the first pair: now and then, each time after twice as many
   /// steps, what waits longest is looked at next, because a walk into a place where surfaces nearly

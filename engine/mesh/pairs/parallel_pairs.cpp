@@ -53,7 +53,7 @@ class ParallelPairs {
  private:
   /// Whether that was all.
   bool begin_alone(Candidates& candidates, std::vector<TrianglePair>& found) {
-    bvh::PlacePair places[bvh::WidePairWalk::kMostAtOnce];
+    bvh::FoundPair places[bvh::WidePairWalk::kMany];
     for (std::size_t alone = 0; alone < kPairsAlone;) {
       const std::size_t count = first_.next(places);
       query_.decide({places, count}, candidates, into(found));
@@ -86,7 +86,7 @@ class ParallelPairs {
 
   void walk_in_turns(bvh::WidePairWalk& walk, SharedWalk::Turn turn, Candidates& candidates,
                      std::vector<TrianglePair>& found) {
-    bvh::PlacePair places[bvh::WidePairWalk::kMostAtOnce];
+    bvh::FoundPair places[bvh::WidePairWalk::kMany];
     for (; turn; turn = shared_.take(walk)) {
       while (const std::size_t count = walk.next(places)) {
         query_.decide({places, count}, candidates, into(found));

@@ -8,45 +8,58 @@
 #include <graze/narrowphase/touch.h>
 #include <graze/narrowphase/triangle_pair/triangle_pair_batch.h>
 
-#include <bit>
+#include <cstddef>
+#include <cstdint>
 
 namespace graze {
 
-/// Pairs of placed triangles on their way from the trees to the exact tests.
+/// Pairs of triangles on their way from the trees to the exact tests: those that surely cross wait
+/// for those that came before.
 class Candidates {
  public:
-  static constexpr std::size_t kCapacity = narrowphase::TrianglePairBatch::kCapacity;
+  static constexpr std::size_t kCapacity = 64;
 
   Candidates(Touch touch, Work& work) : touch_(touch), work_(work) {}
 
-  bool is_full() const { return batch_.is_full(); }
+  bool is_full() const { return size_ == kCapacity || batch_.is_full(); }
 
   void add(TrianglePair pair, const Triangle& triangle_a, const Triangle& triangle_b) {
-    pairs_[batch_.size()] = pair;
+    pairs_[size_++] = pair;
     batch_.add(triangle_a, triangle_b);
+  }
+
+  void add_crossing(TrianglePair pair) {
+    crossing_ |= std::uint64_t{1} << size_;
+    pairs_[size_++] = pair;
   }
 
   /// Empties the batch: calls `on_pair(pair)` for each pair that meets, until it answers Stop.
   template <typename OnPair>
   bvh::Walk decide(OnPair&& on_pair) {
-    const std::size_t size = batch_.size();
+    const std::size_t size = size_;
     if (size == 0) return bvh::Walk::Continue;
     const narrowphase::Verdicts verdicts = narrowphase::triage(batch_);
+    work_.triangle_tests += batch_.size();
+    const std::uint64_t crossing = crossing_;
     batch_.clear();
-    work_.triangle_tests += size;
-    // Lanes of two that surely cross count as touching, too.
-    std::uint32_t open = ((1u << size) - 1) & ~verdicts.apart;
-    while (open != 0) {
-      const int i = std::countr_zero(open);
-      open &= open - 1;
-      const bool is_sure = (verdicts.touching >> i & 1) != 0;
-      if (!is_sure && !meet_though_unsure(batch_.triangle_a(i), batch_.triangle_b(i))) continue;
-      if (on_pair(pairs_[i]) == bvh::Walk::Stop) return bvh::Walk::Stop;
+    size_ = 0;
+    crossing_ = 0;
+    int lane = 0;
+    for (std::size_t i = 0; i < size; ++i) {
+      const bool is_met = (crossing >> i & 1) != 0 || does_lane_meet(verdicts, lane++);
+      if (is_met && on_pair(pairs_[i]) == bvh::Walk::Stop) return bvh::Walk::Stop;
     }
     return bvh::Walk::Continue;
   }
 
  private:
+  bool does_lane_meet(const narrowphase::Verdicts& verdicts, int lane) {
+    if ((verdicts.apart >> lane & 1) != 0) return false;
+    // Lanes of two that surely cross count as touching, too.
+    if ((verdicts.touching >> lane & 1) != 0) return true;
+    return meet_though_unsure(batch_.triangle_a(lane), batch_.triangle_b(lane));
+  }
+
   bool meet_though_unsure(const Triangle& triangle_a, const Triangle& triangle_b) {
     const narrowphase::Decision decision =
         narrowphase::decide_unsure(triangle_a, triangle_b, touch_);
@@ -58,6 +71,8 @@ class Candidates {
   Work& work_;
   narrowphase::TrianglePairBatch batch_;
   TrianglePair pairs_[kCapacity];
+  std::uint64_t crossing_ = 0;  ///< bits of `pairs_`: the others are the lanes of the batch
+  std::size_t size_ = 0;
 };
 
 }  // namespace graze

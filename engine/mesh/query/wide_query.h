@@ -100,12 +100,16 @@ struct WideQuery {
 
   /// Decides some of the pairs that a walk hands out; the rest of them wait in `candidates`.
   template <typename OnPair>
-  bvh::Walk decide(std::span<const bvh::PlacePair> places, Candidates& candidates,
+  bvh::Walk decide(std::span<const bvh::FoundPair> found, Candidates& candidates,
                    OnPair&& on_pair) const {
-    for (std::size_t i = 0; i < places.size(); ++i) {
-      fetch_ahead(places, i);
-      const TrianglePair pair = pair_at(places[i]);
-      candidates.add(pair, triangle_a(pair), triangle_b(pair));
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      fetch_ahead(found, i);
+      const TrianglePair pair = pair_at(found[i].places);
+      if (found[i].do_cross) {
+        candidates.add_crossing(pair);
+      } else {
+        candidates.add(pair, triangle_a(pair), triangle_b(pair));
+      }
       if (candidates.is_full() && candidates.decide(on_pair) == bvh::Walk::Stop)
         return bvh::Walk::Stop;
     }
@@ -115,9 +119,9 @@ struct WideQuery {
   /// All that a walk still finds. Calls `on_pair(pair)` for each that meets, until it answers Stop.
   template <typename OnPair>
   bvh::Walk decide_all(bvh::WidePairWalk& walk, Candidates& candidates, OnPair&& on_pair) const {
-    bvh::PlacePair places[bvh::WidePairWalk::kMostAtOnce + Candidates::kCapacity];
-    while (const std::size_t count = walk.next(places)) {
-      if (decide({places, count}, candidates, on_pair) == bvh::Walk::Stop) return bvh::Walk::Stop;
+    bvh::FoundPair found[bvh::WidePairWalk::kMany];
+    while (const std::size_t count = walk.next(found)) {
+      if (decide({found, count}, candidates, on_pair) == bvh::Walk::Stop) return bvh::Walk::Stop;
     }
     return candidates.decide(on_pair);
   }
@@ -127,26 +131,30 @@ struct WideQuery {
   template <typename OnPair>
   bvh::Walk decide_at_once(bvh::WidePairWalk& walk, Candidates& candidates,
                            OnPair&& on_pair) const {
-    bvh::PlacePair places[bvh::WidePairWalk::kMostAtOnce];
+    bvh::FoundPair found[bvh::WidePairWalk::kMostAtOnce];
     walk.look_elsewhere();
-    while (const std::size_t count = walk.next(places)) {
-      if (decide({places, count}, candidates, on_pair) == bvh::Walk::Stop) return bvh::Walk::Stop;
+    while (const std::size_t count = walk.next(found)) {
+      for (std::size_t i = 0; i < count; ++i) {
+        if (found[i].do_cross && on_pair(pair_at(found[i].places)) == bvh::Walk::Stop)
+          return bvh::Walk::Stop;
+      }
+      if (decide({found, count}, candidates, on_pair) == bvh::Walk::Stop) return bvh::Walk::Stop;
       if (candidates.decide(on_pair) == bvh::Walk::Stop) return bvh::Walk::Stop;
     }
     return bvh::Walk::Continue;
   }
 
  private:
-  void fetch_ahead(std::span<const bvh::PlacePair> places, std::size_t i) const {
+  void fetch_ahead(std::span<const bvh::FoundPair> found, std::size_t i) const {
     constexpr std::size_t kIndicesAhead = 8;
     constexpr std::size_t kCornersAhead = 4;
-    if (i + kIndicesAhead < places.size()) {
-      const TrianglePair pair = pair_at(places[i + kIndicesAhead]);
+    if (i + kIndicesAhead < found.size() && !found[i + kIndicesAhead].do_cross) {
+      const TrianglePair pair = pair_at(found[i + kIndicesAhead].places);
       triangles_a.fetch_indices(pair.a);
       triangles_b.fetch_indices(pair.b);
     }
-    if (i + kCornersAhead < places.size()) {
-      const TrianglePair pair = pair_at(places[i + kCornersAhead]);
+    if (i + kCornersAhead < found.size() && !found[i + kCornersAhead].do_cross) {
+      const TrianglePair pair = pair_at(found[i + kCornersAhead].places);
       triangles_a.fetch_corners(pair.a);
       triangles_b.fetch_corners(pair.b);
     }

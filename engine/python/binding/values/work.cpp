@@ -59,7 +59,7 @@ Two works can be added, compared and pickled; as_dict() has all counters by name
 >>> work = graze.Work()
 >>> graze.intersects(bolt, (nut, pose), work=work)
 True
->>> work.triangle_tests > 0
+>>> work.filter_tests > 0
 True
 )");
   type.def(py::init<>(), "__init__(self)\n--\n\nAll counters are 0.");

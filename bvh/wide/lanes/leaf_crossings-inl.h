@@ -7,12 +7,12 @@
 // primitives beside large ones are told apart as well as others.
 //
 // Notation. u = 2^-24. In each component an edge of the tested node, from its first corner, is off
-// by a, one of the query box by b, and the offset between the first corners by d, which is more
-// than either (local_leaves-inl.h). S is the sum of the 1-norms of both edges of the tested node, T
-// that of the query box, V bounds the offset to any corner of the query box; all three are
-// increased by what they may be off by. A determinant is a sum of six products of one component
-// each, which add up to no more than the product of the three 1-norms. Its error is found by
-// replacing one vector after the other.
+// by a, one of the query box by b, and the offset between the first corners by d, which is no less
+// than either (front/local_leaves-inl.h, walk/pair_batch-inl.h). S is the sum of the 1-norms of
+// both edges of the tested node, T that of the query box, V bounds the offset to any corner of the
+// query box; all three are increased by what they may be off by. A determinant is a sum of six
+// products of one component each, which add up to no more than the product of the three 1-norms.
+// Its error is found by replacing one vector after the other.
 //
 // Why the signs hold for placed primitives. The frame of a tested node is the common one, turned by
 // the transpose of a pose. The determinant of a pose is positive, so that turning changes no sign.
@@ -32,7 +32,7 @@
 #define GRAZE_BVH_LEAF_CROSSINGS
 #endif
 
-#include <graze/bvh/wide/front/local_leaves-inl.h>
+#include <graze/bvh/wide/lanes/pair_lanes-inl.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace graze::bvh::HWY_NAMESPACE {
@@ -81,19 +81,36 @@ HWY_INLINE hn::Vec<AnyTag> one_norm(AnyTag, const hn::Vec<AnyTag> (&v)[3]) {
   return hn::Add(hn::Add(hn::Abs(v[0]), hn::Abs(v[1])), hn::Abs(v[2]));
 }
 
+/// Pairs of primitives, one in each lane: edges from first corners to the others, and where the
+/// first corners lie.
+template <typename AnyTag>
+struct PairEdges {
+  hn::Vec<AnyTag> tested[2][3];
+  hn::Vec<AnyTag> query[2][3];
+  hn::Vec<AnyTag> offset[3];  ///< from the tested primitive's first corner to the other's
+};
+
+/// How far each component of these is off; infinite where products could overflow.
+template <typename AnyTag>
+struct PairErrors {
+  hn::Vec<AnyTag> tested;
+  hn::Vec<AnyTag> query;
+  hn::Vec<AnyTag> offset;  ///< no less than both
+};
+
 /// How far determinants can be off.
 template <typename AnyTag>
 class CrossingErrors {
  public:
   using Values = hn::Vec<AnyTag>;
 
-  HWY_INLINE CrossingErrors(const LocalPairs<AnyTag>& pairs, const LocalErrors& errors)
+  HWY_INLINE CrossingErrors(const PairEdges<AnyTag>& pairs, const PairErrors<AnyTag>& errors)
       : errors_(errors),
         tested_(size(pairs.tested, errors.tested)),
         query_(size(pairs.query, errors.query)),
-        offset_(hn::Add(one_norm(AnyTag(), pairs.offset), hn::Set(AnyTag(), 6 * errors.offset))),
-        off_(hn::MulAdd(tested_, hn::Set(AnyTag(), errors.query),
-                        hn::Mul(query_, hn::Set(AnyTag(), errors.tested)))) {}
+        offset_(
+            hn::MulAdd(errors.offset, hn::Set(AnyTag(), 6.0f), one_norm(AnyTag(), pairs.offset))),
+        off_(hn::MulAdd(tested_, errors.query, hn::Mul(query_, errors.tested))) {}
 
   /// Of two edges of the tested primitive and an offset to the other one.
   HWY_INLINE Values of_tested_plane() const {
@@ -107,8 +124,8 @@ class CrossingErrors {
   HWY_INLINE Values of_cuts(const Values (&offset)[3]) const {
     const AnyTag tag;
     const auto length = one_norm(tag, offset);
-    const auto each =
-        hn::MulAdd(length, hn::Set(tag, kSignRounding), hn::Set(tag, kEdgesError * errors_.offset));
+    const auto each = hn::MulAdd(length, hn::Set(tag, kSignRounding),
+                                 hn::Mul(errors_.offset, hn::Set(tag, kEdgesError)));
     return hn::MulAdd(
         hn::Mul(tested_, query_), each,
         hn::MulAdd(hn::Mul(off_, length), hn::Set(tag, kEdgeError), hn::Set(tag, kWideUnderflow)));
@@ -120,22 +137,21 @@ class CrossingErrors {
   }
 
  private:
-  HWY_INLINE static Values size(const Values (&edges)[2][3], float error) {
+  HWY_INLINE static Values size(const Values (&edges)[2][3], Values error) {
     const AnyTag tag;
-    return hn::Add(hn::Add(one_norm(tag, edges[0]), one_norm(tag, edges[1])),
-                   hn::Set(tag, 12 * error));
+    return hn::MulAdd(error, hn::Set(tag, 12.0f),
+                      hn::Add(one_norm(tag, edges[0]), one_norm(tag, edges[1])));
   }
 
-  HWY_INLINE Values of_plane(Values size, Values offset, float error) const {
+  HWY_INLINE Values of_plane(Values size, Values offset, Values error) const {
     const AnyTag tag;
-    const auto each =
-        hn::MulAdd(offset, hn::Set(tag, 0.25f * kSignRounding), hn::Set(tag, errors_.offset));
+    const auto each = hn::MulAdd(offset, hn::Set(tag, 0.25f * kSignRounding), errors_.offset);
     return hn::MulAdd(hn::Mul(size, size), each,
-                      hn::MulAdd(hn::Mul(size, offset), hn::Set(tag, kOffsetError * error),
+                      hn::MulAdd(hn::Mul(size, offset), hn::Mul(error, hn::Set(tag, kOffsetError)),
                                  hn::Set(tag, kWideUnderflow)));
   }
 
-  const LocalErrors& errors_;
+  PairErrors<AnyTag> errors_;
   Values tested_;
   Values query_;
   Values offset_;
@@ -253,7 +269,7 @@ struct CutSegments {
 
 /// The boxes of pairs along the axes of the tested node's tree.
 template <typename AnyTag>
-HWY_INLINE hn::Mask<AnyTag> are_boxes_apart(const LocalPairs<AnyTag>& pairs, float error) {
+HWY_INLINE hn::Mask<AnyTag> are_boxes_apart(const PairEdges<AnyTag>& pairs, hn::Vec<AnyTag> error) {
   const AnyTag tag;
   auto most = hn::Zero(tag);
   for (int i = 0; i < 3; ++i) {
@@ -268,7 +284,7 @@ HWY_INLINE hn::Mask<AnyTag> are_boxes_apart(const LocalPairs<AnyTag>& pairs, flo
     const auto below = hn::Sub(hn::Sub(tested_low, high), pairs.offset[i]);
     most = hn::Max(most, hn::Max(above, below));
   }
-  return hn::Gt(most, hn::Set(tag, 4 * error));
+  return hn::Gt(most, hn::Mul(error, hn::Set(tag, 4.0f)));
 }
 
 template <typename AnyTag>
@@ -276,7 +292,7 @@ struct PairNormals {
   hn::Vec<AnyTag> tested[3];
   hn::Vec<AnyTag> query[3];
 
-  HWY_INLINE explicit PairNormals(const LocalPairs<AnyTag>& pairs) {
+  HWY_INLINE explicit PairNormals(const PairEdges<AnyTag>& pairs) {
     set_cross(AnyTag(), pairs.tested[0], pairs.tested[1], tested);
     set_cross(AnyTag(), pairs.query[0], pairs.query[1], query);
   }
@@ -300,7 +316,7 @@ struct LeafCrossings {
   Masks are_apart;
   Masks do_cross;
 
-  HWY_INLINE LeafCrossings(const LocalPairs<AnyTag>& pairs, const LocalErrors& off)
+  HWY_INLINE LeafCrossings(const PairEdges<AnyTag>& pairs, const PairErrors<AnyTag>& off)
       : errors(pairs, off),
         normals(pairs),
         query_sides(normals.tested, dot(AnyTag(), normals.tested, pairs.offset), pairs.query,
