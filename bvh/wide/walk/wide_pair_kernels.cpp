@@ -350,7 +350,7 @@ class Walker {
   }
 
   HWY_INLINE void decide() {
-    if (pairs_.size() > 0) size_ += pairs_.decide(found_.data() + size_);
+    size_ += pairs_.decide(found_.data() + size_, most_seen_ == 0 ? kFewPairs : 0);
   }
 
   WidePairWalk::State& state_;
