@@ -38,7 +38,8 @@ class Candidates {
   bvh::Walk decide(OnPair&& on_pair) {
     const std::size_t size = size_;
     if (size == 0) return bvh::Walk::Continue;
-    const narrowphase::Verdicts verdicts = narrowphase::triage(batch_);
+    narrowphase::Verdicts verdicts;
+    if (batch_.size() != 0) verdicts = narrowphase::triage(batch_);
     work_.triangle_tests += batch_.size();
     const std::uint64_t crossing = crossing_;
     batch_.clear();
