@@ -260,7 +260,7 @@ std::optional<ShapeCast> cast_of_field(const PlacedShapeView& a, const PlacedSha
     until = std::min(until, 1.0);
     const Eigen::Vector3d way = displacement * until;
     const StandIn of_a = cast_stand_in(a, b, way), of_b = cast_stand_in(b, a, opposite(way));
-    const auto met = cast_checked(of_a.view(), of_b.view(), displacement, work);
+    auto met = cast_checked(of_a.view(), of_b.view(), displacement, work);
     if (until == 1 || (met && met->time < until)) return met;
   }
 }
@@ -269,7 +269,7 @@ std::optional<ShapeCast> cast_of_field(const PlacedShapeView& a, const PlacedSha
 std::optional<ShapeCast> cast_of_plane(const PlacedShapeView& a, const PlacedShapeView& b,
                                        const Eigen::Vector3d& displacement, Work& work) {
   const HalfSpacePair by(a, b, work);
-  const auto met = cast(by.a(), by.b(), displacement, &work);
+  auto met = cast(by.a(), by.b(), displacement, &work);
   if (!by.is_divided()) return met;
   const auto behind = cast(by.a(1), by.b(1), displacement, &work);
   return behind && (!met || behind->time < met->time) ? behind : met;
