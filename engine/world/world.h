@@ -309,13 +309,15 @@ class World {
   /// are asked for. Bodies are as they are now, and rest; one that the shape touches where it
   /// starts has time 0, and can be left out by a filter. However thin a body, none is missed.
   /// Throws as first_contact() does, and UnsupportedPairError if the shape comes near one of a
-  /// user's own. A body is asked if its box meets that of all places of the shape, so that a long
-  /// motion that turns is better asked in parts.
+  /// user's own. A body is asked if the shape's box, on its way, comes to its own; and, from the
+  /// first on, until what is known cannot be later. A long motion that turns is better asked in
+  /// parts, for then boxes of all its places are compared. Where a budget ends, `low` is no earlier
+  /// than boxes meet.
   std::optional<BodyCast> cast(const Shape& shape, const RigidMotion& motion,
                                const RigidContactSettings& contact = {},
                                const BodyQuerySettings& settings = {}) const;
 
-  /// All that it comes to, each asked as if it were alone, by `low`, then by id. Throws likewise.
+  /// All that it comes to, by `low`, then by id. Throws likewise.
   std::vector<BodyCast> cast_all(const Shape& shape, const RigidMotion& motion,
                                  const RigidContactSettings& contact = {},
                                  const BodyQuerySettings& settings = {}) const;

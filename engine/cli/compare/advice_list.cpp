@@ -14,7 +14,6 @@ namespace {
 using cases::json_string;
 using compare::Advice;
 using compare::AdviceStep;
-using compare::ErrorClass;
 using compare::WrongKind;
 
 /// The case with the fewest numbers, of those of an engine that have a class.

@@ -27,6 +27,12 @@ Pose RigidMotion::at(double t) const {
   return bvh::in_standard_arithmetic([&]() -> Pose {
     if (!(t >= 0 && t <= 1))
       throw InputError("time: " + bvh::number_text(t) + " is not from 0 to 1");
+    Pose pose = start_;
+    if (angle_ == 0) {
+      for (int i = 0; i < 3; ++i)
+        pose.data()[12 + i] += t * shift_.data()[i];
+      return pose;
+    }
     const TurnValues turn = turn_values(t * angle_);
     const double* a = axis_.data();
     const double rest = turn.versine, sine = turn.unit.sine;
@@ -37,7 +43,6 @@ Pose RigidMotion::at(double t) const {
                             {xy + z, -rest * (a[0] * a[0] + a[2] * a[2]), yz - x},
                             {xz - y, yz + x, -rest * (a[0] * a[0] + a[1] * a[1])}};
     const double* m = start_.data();  // column-major 4x4
-    Pose pose = start_;
     for (int j = 0; j < 3; ++j) {
       for (int i = 0; i < 3; ++i) {
         pose.data()[4 * j + i] +=

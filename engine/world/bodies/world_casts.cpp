@@ -4,14 +4,56 @@
 #include <graze/engine/mesh/rigid/motion_checks.h>
 #include <graze/engine/world/bodies/world_state.h>
 #include <graze/engine/world/body_shapes/moving_parts.h>
+#include <graze/engine/world/rigid/box_sweep.h>
 #include <graze/engine/world/rigid/moving_shape.h>
+#include <graze/engine/world/shape_bounds.h>
 #include <graze/engine/world/shape_motion.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 namespace graze {
+
+/// A shape in motion, and which bodies it may come to. What it refers to outlives it.
+struct CastQuery {
+  MovingShape moving;
+  const RigidContactSettings& contact;  ///< checked
+  const BodyQuerySettings& query;
+};
+
+/// A body that the shape may come to, but not before a time.
+struct BodyOnTheWay {
+  std::uint32_t index;
+  double first;
+};
+
 namespace {
+
+constexpr double kNever = 2;
+
+double size_of(const Eigen::Vector3d& v) {
+  return (std::abs(v.x()) + std::abs(v.y())) + std::abs(v.z());
+}
+
+/// When a shape that goes straight from a box, and does not turn, may be too near to a body in
+/// another: at other times first_contact() finds them free. Its tolerance is at least 2^-28 of all
+/// lengths, which the body's pose and box bound; twice that is room for what distances, boxes and
+/// times are off by.
+NearTimes times_near(const MovingShape& moving, const Aabb& start, const Aabb& box,
+                     const Pose& pose, const RigidContactSettings& contact) {
+  const double lengths =
+      moving.lengths + 3 * (size_of(box.min) + size_of(box.max) + size_of(pose.translation()));
+  const double room = contact.clearance + contact.tolerance + 0x1p-27 * lengths;
+  const Aabb around = grown(start, room);
+  BoxSweep sweep;
+  for (int k = 0; k < 3; ++k) {
+    sweep.min[k] = around.min.data()[k];
+    sweep.max[k] = around.max.data()[k];
+    sweep.shift[k] = moving.motion.shift().data()[k];
+  }
+  return sweep.of({box.min.x(), box.min.y(), box.min.z()}, {box.max.x(), box.max.y(), box.max.z()});
+}
 
 bool is_earlier(const BodyCast& s, const BodyCast& t) {
   if (s.contact.low != t.contact.low) return s.contact.low < t.contact.low;
@@ -20,48 +62,78 @@ bool is_earlier(const BodyCast& s, const BodyCast& t) {
 
 }  // namespace
 
-/// Adds the part that the shape comes to first.
-void World::State::cast_at_parts(std::uint32_t index, const Shape& shape, const RigidMotion& motion,
-                                 const RigidContactSettings& contact,
-                                 const BodyQuerySettings& query,
-                                 std::vector<BodyCast>& casts) const {
+/// The part that the shape comes to first.
+std::optional<BodyCast> World::State::cast_at_parts(std::uint32_t index,
+                                                    const CastQuery& cast) const {
   const Bodies::Body& body = all.bodies[index];
-  const std::shared_ptr<const BodyShape> asked = share(shape);
+  const std::shared_ptr<const BodyShape> asked = share(cast.moving.shape);
   const RigidMotion rest(body.pose);
   std::optional<BodyCast> first;
-  for_moving_part_pairs({*asked, motion, query.filter}, {*body.shape, rest, body.filter}, contact,
+  for_moving_part_pairs({*asked, cast.moving.motion, cast.query.filter},
+                        {*body.shape, rest, body.filter}, cast.contact,
                         [&](const PartOnWay& s, const PartOnWay& t) {
-                          const RigidContact found = first_contact_of(s, t, contact);
+                          const RigidContact found = first_contact_of(s, t, cast.contact);
                           if (found.status == RigidStatus::Free) return;
                           const BodyCast next{all.id(index), found, t.placed.number};
                           if (!first || is_earlier(next, *first)) first = next;
                         });
-  if (first) casts.push_back(*first);
+  return first;
+}
+
+/// The bodies that the shape may come to, each with a time before which it is not there.
+std::vector<BodyOnTheWay> World::State::find_on_the_way(const CastQuery& cast) const {
+  const RigidContactSettings& contact = cast.contact;
+  const double near = contact.clearance + contact.tolerance;
+  std::vector<BodyOnTheWay> found;
+  for (const std::uint32_t index : find_bodies(grown(swept_bounds(cast.moving), near), cast.query))
+    found.push_back({index, 0});
+  if (cast.moving.turned > 0 || cast.moving.is_endless()) return found;
+  const Aabb start = bounding_aabb({cast.moving.shape, cast.moving.motion.start()});
+  for (BodyOnTheWay& body : found) {
+    const Aabb box = broad.box(broad.id(all.bodies[body.index].box));
+    const NearTimes times =
+        times_near(cast.moving, start, box, all.bodies[body.index].pose, contact);
+    body.first = times.is_never() ? kNever : times.first;
+  }
+  std::erase_if(found, [](const BodyOnTheWay& body) { return body.first == kNever; });
+  return found;
+}
+
+/// Nothing where it is free of the body.
+std::optional<BodyCast> World::State::cast_at(const BodyOnTheWay& on_the_way,
+                                              const CastQuery& cast) const {
+  auto found = cast_at(on_the_way.index, cast);
+  // So that order is the same whoever is asked.
+  if (found && found->contact.is_out_of_budget)
+    found->contact.low = std::max(found->contact.low, on_the_way.first);
+  return found;
+}
+
+std::optional<BodyCast> World::State::cast_at(std::uint32_t index, const CastQuery& cast) const {
+  const Bodies::Body& body = all.bodies[index];
+  if (body.has_parts) return cast_at_parts(index, cast);
+  const Shape* shape = body.shape->shape();
+  if (shape == nullptr) {
+    throw UnsupportedPairError("cast of a " + std::string(name_of(cast.moving.shape.kind())) +
+                               " at the body with index " + std::to_string(index) +
+                               ": its shape is a user's own");
+  }
+  const RigidMotion rest(body.pose);
+  Work work;
+  const RigidContact found =
+      first_contact(cast.moving, {*shape, rest, "motion of shape B"}, cast.contact, work);
+  if (found.status == RigidStatus::Free) return std::nullopt;
+  return BodyCast{all.id(index), found};
 }
 
 std::vector<BodyCast> World::cast_all(const Shape& shape, const RigidMotion& motion,
                                       const RigidContactSettings& contact,
                                       const BodyQuerySettings& settings) const {
   return bvh::in_standard_arithmetic([&]() -> std::vector<BodyCast> {
-    check_settings(contact);
-    const State& state = *state_;
-    const Aabb swept = swept_bounds(MovingShape(shape, motion, "cast"));
+    const CastQuery query{{shape, motion, "cast"}, check_settings(contact), settings};
     std::vector<BodyCast> casts;
-    for (const std::uint32_t index :
-         state.find_bodies(grown(swept, contact.clearance + contact.tolerance), settings)) {
-      const Bodies::Body& body = state.all.bodies[index];
-      if (body.has_parts) {
-        state.cast_at_parts(index, shape, motion, contact, settings, casts);
-        continue;
-      }
-      if (body.shape->shape() == nullptr) {
-        throw UnsupportedPairError("cast of a " + std::string(name_of(shape.kind())) +
-                                   " at the body with index " + std::to_string(index) +
-                                   ": its shape is a user's own");
-      }
-      const RigidContact found =
-          first_contact(shape, motion, *body.shape->shape(), RigidMotion(body.pose), contact);
-      if (found.status != RigidStatus::Free) casts.push_back({state.all.id(index), found});
+    for (const BodyOnTheWay& body : state_->find_on_the_way(query)) {
+      if (const auto found = state_->cast_at(body, query)) casts.push_back(*found);
     }
     std::sort(casts.begin(), casts.end(), is_earlier);
     return casts;
@@ -71,9 +143,21 @@ std::vector<BodyCast> World::cast_all(const Shape& shape, const RigidMotion& mot
 std::optional<BodyCast> World::cast(const Shape& shape, const RigidMotion& motion,
                                     const RigidContactSettings& contact,
                                     const BodyQuerySettings& settings) const {
-  const std::vector<BodyCast> casts = cast_all(shape, motion, contact, settings);
-  if (casts.empty()) return std::nullopt;
-  return casts.front();
+  return bvh::in_standard_arithmetic([&]() -> std::optional<BodyCast> {
+    const CastQuery query{{shape, motion, "cast"}, check_settings(contact), settings};
+    std::vector<BodyOnTheWay> bodies = state_->find_on_the_way(query);
+    // Those that it may come to first can spare the others.
+    std::stable_sort(
+        bodies.begin(), bodies.end(),
+        [](const BodyOnTheWay& s, const BodyOnTheWay& t) { return s.first < t.first; });
+    std::optional<BodyCast> first;
+    for (const BodyOnTheWay& body : bodies) {
+      if (first && body.first > first->contact.low) break;
+      const auto found = state_->cast_at(body, query);
+      if (found && (!first || is_earlier(*found, *first))) first = found;
+    }
+    return first;
+  });
 }
 
 }  // namespace graze

@@ -207,6 +207,9 @@ struct PartnerSearch {
   std::vector<std::uint32_t> due;  ///< of these, without those that are apart for sure
 };
 
+struct CastQuery;     // what cast() asks
+struct BodyOnTheWay;  // and whom
+
 /// A body and a box around all places where it was since the last update.
 struct SweptBody {
   std::uint32_t body;
@@ -343,9 +346,10 @@ struct World::State {
   void for_nearest(const Aabb& own, const BodyQuerySettings& query, double least,
                    const Ask& ask) const;
   PosedBody posed(std::uint32_t index) const;
-  void cast_at_parts(std::uint32_t index, const Shape& shape, const RigidMotion& motion,
-                     const RigidContactSettings& contact, const BodyQuerySettings& query,
-                     std::vector<BodyCast>& casts) const;
+  std::vector<BodyOnTheWay> find_on_the_way(const CastQuery& cast) const;
+  std::optional<BodyCast> cast_at(const BodyOnTheWay& on_the_way, const CastQuery& cast) const;
+  std::optional<BodyCast> cast_at(std::uint32_t index, const CastQuery& cast) const;
+  std::optional<BodyCast> cast_at_parts(std::uint32_t index, const CastQuery& cast) const;
   template <typename OnHit>
   void for_each_hit(const Ray& ray, const BodyQuerySettings& query, OnHit&& on_hit) const;
   bool is_updated() const { return changed.empty() && removed == 0 && !is_cut_short; }

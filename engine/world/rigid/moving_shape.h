@@ -1,6 +1,7 @@
 #pragma once
 
 #include <graze/bvh/aabb.h>
+#include <graze/engine/mesh/rigid_contact.h>
 #include <graze/engine/mesh/rigid_motion.h>
 #include <graze/engine/world/placed_shape.h>
 #include <graze/engine/world/shape.h>
@@ -32,6 +33,10 @@ struct MovingShape {
   bool is_mesh() const { return shape.kind() == ShapeKind::Mesh; }
   PlacedShape at(double t) const { return {shape, motion.at(t)}; }
 };
+
+/// first_contact() of two shapes, by settings that were checked.
+RigidContact first_contact(const MovingShape& a, const MovingShape& b,
+                           const RigidContactSettings& settings, Work& work);
 
 /// A box that holds the shape at every t; for half-spaces and planes all that there is.
 Aabb swept_bounds(const MovingShape& moving);

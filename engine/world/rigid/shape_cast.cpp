@@ -132,9 +132,8 @@ class CoreToMesh {
   double of(std::uint32_t node) const {
     ++work_.volume_tests;
     const NearTimes times = sweep_.of_node(node);
-    const bool is_never = !(times.first <= times.last);
-    work_.volume_rejections += is_never;
-    return is_never ? kNotMet : times.first;
+    work_.volume_rejections += times.is_never();
+    return times.is_never() ? kNotMet : times.first;
   }
   static bool is_missed(double bound) { return bound == kNotMet; }
   bool is_beyond(double bound) const { return best_ && bound > best_->time; }
@@ -152,7 +151,7 @@ class CoreToMesh {
 
   void ask(std::uint32_t index) {
     const NearTimes times = sweep_.of_triangle(index);
-    if (!(times.first <= times.last) || is_beyond(times.first)) return;
+    if (times.is_never() || is_beyond(times.first)) return;
     const Core triangle = descent_.triangle(index);
     const double until = best_ ? std::min(times.last, best_->time) : times.last;
     if (swept_.is_surely_passed(triangle, until)) return;

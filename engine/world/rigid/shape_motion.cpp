@@ -11,6 +11,7 @@
 #include <graze/engine/world/shape_motion.h>
 #include <graze/engine/world/shape_pairs.h>
 #include <graze/engine/world/shapes/half_space_pair.h>
+#include <graze/engine/world/shapes/pair_input.h>
 #include <graze/engine/world/shapes/placed_core.h>
 
 #include <algorithm>
@@ -38,8 +39,6 @@ class ShapeMotion {
   /// The first time at which they may be as near as the limit, or where the budget ends; the end of
   /// the grid if there is none.
   std::uint64_t find_low() {
-    // To ask whether they meet costs less than how far apart they are.
-    if (clearance_ == 0 && budget_ > 0 && is_hit(0)) return 0;
     if (MeshApproach::is_for(a_, b_)) return find_low_of_mesh(a_, b_, approach_);
     if (MeshApproach::is_for(b_, a_)) return find_low_of_mesh(b_, a_, approach_.mirrored());
     const std::uint64_t end = grid().end();
@@ -48,25 +47,28 @@ class ShapeMotion {
       if (is_out_of_budget_) return k;
       --budget_;
       const double t = grid().time(k);
-      const PlacedShape a = a_.at(t), b = b_.at(t);
-      const ShapeDistance found = distance(a, b, &work_);
+      const Pose pose_a = a_.motion.at(t), pose_b = b_.motion.at(t);
+      const ShapeDistance found = distance_of_checked({a_.shape, pose_a}, {b_.shape, pose_b}, work_);
       const double gap = found.lower_bound;
       if (!(gap > approach_.limit)) return k;
       // In one step they stay further apart than the clearance; in more while the gap lasts.
-      k += approach_.steps(gap, closing(t, a, b, found.normal), end - k);
+      k += approach_.steps(gap, closing(t, pose_a, pose_b, found.normal), end - k);
     }
     return end;
   }
 
   bool is_hit(std::uint64_t k) {
-    const PlacedShape a = a_.at(grid().time(k)), b = b_.at(grid().time(k));
-    if (clearance_ == 0) return intersects(a, b, &work_);
-    return distance(a, b, &work_).distance <= clearance_;
+    const Pose pose_a = a_.motion.at(grid().time(k)), pose_b = b_.motion.at(grid().time(k));
+    const PlacedShapeView a{a_.shape, pose_a}, b{b_.shape, pose_b};
+    if (clearance_ == 0) return intersect_checked(a, b, work_);
+    return distance_of_checked(a, b, work_).distance <= clearance_;
   }
 
  private:
   std::uint64_t find_low_of_mesh(const MovingShape& convex, const MovingShape& mesh,
                                  const Approach& approach) {
+    // To ask whether they meet costs less than how far apart they are.
+    if (clearance_ == 0 && budget_ > 0 && is_hit(0)) return 0;
     MeshApproach to_mesh(convex, mesh, approach, work_);
     const std::uint64_t low = to_mesh.find_low(budget_);
     is_out_of_budget_ = to_mesh.is_out_of_budget();
@@ -75,11 +77,11 @@ class ShapeMotion {
 
   /// Of a mesh beside a plane its convex hull counts. A half-space that turns moves the faster the
   /// further out.
-  Closing closing(double t, const PlacedShape& a, const PlacedShape& b,
+  Closing closing(double t, const Pose& pose_a, const Pose& pose_b,
                   const Eigen::Vector3d& normal) const {
     if ((a_.is_half_space() && a_.turned > 0) || (b_.is_half_space() && b_.turned > 0))
       return approach_.closing();
-    const Closing of_a = turning(a_, t, a.pose, normal), of_b = turning(b_, t, b.pose, -normal);
+    const Closing of_a = turning(a_, t, pose_a, normal), of_b = turning(b_, t, pose_b, -normal);
     return approach_.closing(normal, {of_a.rate + of_b.rate, of_a.bend + of_b.bend});
   }
 
@@ -120,17 +122,11 @@ RigidContact contact_of_shapes(const MovingShape& a, const MovingShape& b,
 }
 
 /// Of which one is a height field, or both.
-RigidContact contact_of_field(const Shape& shape_a, const RigidMotion& motion_a,
-                              const Shape& shape_b, const RigidMotion& motion_b,
-                              const RigidContactSettings& settings, Work* work) {
-  return bvh::in_standard_arithmetic([&]() -> RigidContact {
-    check_settings(settings);
-    const MovingShape a(shape_a, motion_a, "motion of shape A");
-    const MovingShape b(shape_b, motion_b, "motion of shape B");
-    const StandIn by_a = moving_stand_in(a, b, settings, 0);
-    const StandIn by_b = moving_stand_in(b, a, settings, 0);
-    return first_contact(by_a.shape(), motion_a, by_b.shape(), motion_b, settings, work);
-  });
+RigidContact contact_of_field(const MovingShape& a, const MovingShape& b,
+                              const RigidContactSettings& settings, Work& work) {
+  const StandIn by_a = moving_stand_in(a, b, settings, 0);
+  const StandIn by_b = moving_stand_in(b, a, settings, 0);
+  return first_contact(by_a.shape(), a.motion, by_b.shape(), b.motion, settings, &work);
 }
 
 /// The first of two, of what may be met in either.
@@ -143,39 +139,39 @@ RigidContact earlier(const RigidContact& s, const RigidContact& t) {
 }
 
 /// Of which one is a plane, or both.
-RigidContact contact_of_plane(const Shape& shape_a, const RigidMotion& motion_a,
-                              const Shape& shape_b, const RigidMotion& motion_b,
-                              const RigidContactSettings& settings, Work* work) {
-  return bvh::in_standard_arithmetic([&]() -> RigidContact {
-    CountedWork counted(work);
-    check_settings(settings);
-    const HalfSpacePair by({shape_a, motion_a.start()}, {shape_b, motion_b.start()},
-                           counted.work());
-    const auto ask = [&](std::size_t i) {
-      return first_contact(by.a(i).shape, motion_a, by.b(i).shape, motion_b, settings,
-                           &counted.work());
-    };
-    return by.is_divided() ? earlier(ask(0), ask(1)) : ask(0);
-  });
+RigidContact contact_of_plane(const MovingShape& a, const MovingShape& b,
+                              const RigidContactSettings& settings, Work& work) {
+  const HalfSpacePair by({a.shape, a.motion.start()}, {b.shape, b.motion.start()}, work);
+  const auto ask = [&](std::size_t i) {
+    return first_contact(by.a(i).shape, a.motion, by.b(i).shape, b.motion, settings, &work);
+  };
+  return by.is_divided() ? earlier(ask(0), ask(1)) : ask(0);
 }
 
 }  // namespace
 
+RigidContact first_contact(const MovingShape& a, const MovingShape& b,
+                           const RigidContactSettings& settings, Work& work) {
+  const PlacedShapeView start_a{a.shape, a.motion.start()}, start_b{b.shape, b.motion.start()};
+  if (has_field(start_a, start_b)) return contact_of_field(a, b, settings, work);
+  if (has_plane(start_a, start_b)) return contact_of_plane(a, b, settings, work);
+  const Mesh *mesh_a = mesh_of(a.shape), *mesh_b = mesh_of(b.shape);
+  if (mesh_a != nullptr && mesh_b != nullptr)
+    return first_contact(*mesh_a, a.motion, *mesh_b, b.motion, settings, &work);
+  return contact_of_shapes(a, b, settings, work);
+}
+
 RigidContact first_contact(const Shape& shape_a, const RigidMotion& motion_a, const Shape& shape_b,
                            const RigidMotion& motion_b, const RigidContactSettings& settings,
                            Work* work) {
-  if (has_field({shape_a, motion_a.start()}, {shape_b, motion_b.start()}))
-    return contact_of_field(shape_a, motion_a, shape_b, motion_b, settings, work);
-  if (has_plane({shape_a, motion_a.start()}, {shape_b, motion_b.start()}))
-    return contact_of_plane(shape_a, motion_a, shape_b, motion_b, settings, work);
   const Mesh *mesh_a = mesh_of(shape_a), *mesh_b = mesh_of(shape_b);
   if (mesh_a != nullptr && mesh_b != nullptr)
     return first_contact(*mesh_a, motion_a, *mesh_b, motion_b, settings, work);
   return bvh::in_standard_arithmetic([&]() -> RigidContact {
     CountedWork counted(work);
     check_settings(settings);
-    return contact_of_shapes({shape_a, motion_a, "motion of shape A"},
-                             {shape_b, motion_b, "motion of shape B"}, settings, counted.work());
+    return first_contact({shape_a, motion_a, "motion of shape A"},
+                         {shape_b, motion_b, "motion of shape B"}, settings, counted.work());
   });
 }
 

@@ -17,9 +17,9 @@ TreeSweep::TreeSweep(const MeshDescent& descent, const PlacedMeshView& mesh,
   const double* m = mesh.pose.data();  // column-major 4x4
   const double* s = shift.data();
   for (int k = 0; k < 3; ++k) {
-    shift_[k] = ((m[4 * k] * s[0] + m[4 * k + 1] * s[1]) + m[4 * k + 2] * s[2]) / unit_;
-    min_[k] = descent.min()[k] - around;
-    max_[k] = descent.max()[k] + around;
+    sweep_.shift[k] = ((m[4 * k] * s[0] + m[4 * k + 1] * s[1]) + m[4 * k + 2] * s[2]) / unit_;
+    sweep_.min[k] = descent.min()[k] - around;
+    sweep_.max[k] = descent.max()[k] + around;
   }
 }
 
@@ -32,7 +32,7 @@ NearTimes TreeSweep::of_triangle(std::uint32_t index) const {
     low[k] = (std::min(a, std::min(b, c)) - tree_.frame.centre[k]) / unit_;
     high[k] = (std::max(a, std::max(b, c)) - tree_.frame.centre[k]) / unit_;
   }
-  return of_box(low, high);
+  return sweep_.of(low, high);
 }
 
 }  // namespace graze

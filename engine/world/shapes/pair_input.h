@@ -23,7 +23,12 @@ bool is_swapped(const PlacedShapeView& a, const PlacedShapeView& b);
 /// that it may say "hit" of two that a tolerance brings together and their boxes part.
 bool intersect_in_boxes(const PlacedShapeView& a, const PlacedShapeView& b, Work& work);
 
-/// find_contacts() likewise, in the place of what `found` held: its memory is used again.
+/// intersects() and distance() of shapes in poses that were checked, neither of which is a height
+/// field or a plane.
+bool intersect_checked(const PlacedShapeView& a, const PlacedShapeView& b, Work& work);
+ShapeDistance distance_of_checked(const PlacedShapeView& a, const PlacedShapeView& b, Work& work);
+
+/// find_contacts() of what intersect_in_boxes() takes, in the place of what `found` held: its memory is used again.
 void contacts_in_boxes(const PlacedShapeView& a, const PlacedShapeView& b, Work& work,
                        Manifold& found);
 

@@ -157,20 +157,14 @@ ShapeDistance distance_of_meshes(const PlacedShapeView& a, const PlacedShapeView
           to_eigen(normal), PairStatus::Converged};
 }
 
-bool intersect_placed(const PlacedShapeView& a, const PlacedShapeView& b, Work& work) {
-  return intersect_in_boxes(a, b, work) &&
-         (lies_in_boxes(pair_method(a.shape.kind(), b.shape.kind())) || have_near_middles(a, b) ||
-          gap_of_boxes(a, b).gap == 0);
-}
-
 ShapeDistance distance_in_order(const PlacedShapeView& a, const PlacedShapeView& b, Work& work) {
   switch (pair_method(a.shape.kind(), b.shape.kind())) {
     case ExactSpheres:
-      return distance_of_spheres(a, b, intersect_placed(a, b, work), work);
+      return distance_of_spheres(a, b, intersect_checked(a, b, work), work);
     case ExactSphereBox:
-      return distance_of_sphere_and_box(a, b, intersect_placed(a, b, work), work);
+      return distance_of_sphere_and_box(a, b, intersect_checked(a, b, work), work);
     case BoxAxes:
-      return distance_of_boxes(a, b, intersect_placed(a, b, work), work);
+      return distance_of_boxes(a, b, intersect_checked(a, b, work), work);
     case ClosedForm:
     case Cores:
       return distance_of_cores(a, b, work);
@@ -255,6 +249,12 @@ bool intersect_in_boxes(const PlacedShapeView& a, const PlacedShapeView& b, Work
   return is_swapped(a, b) ? intersect_in_order(b, a, work) : intersect_in_order(a, b, work);
 }
 
+bool intersect_checked(const PlacedShapeView& a, const PlacedShapeView& b, Work& work) {
+  return intersect_in_boxes(a, b, work) &&
+         (lies_in_boxes(pair_method(a.shape.kind(), b.shape.kind())) || have_near_middles(a, b) ||
+          gap_of_boxes(a, b).gap == 0);
+}
+
 template <typename>
 bool intersects(const PlacedShapeView& shape_a, const PlacedShapeView& shape_b, Work* work) {
   return bvh::in_standard_arithmetic([&]() -> bool {
@@ -264,12 +264,16 @@ bool intersects(const PlacedShapeView& shape_a, const PlacedShapeView& shape_b, 
       const HalfSpacePair by(shape_a, shape_b, counted.work());
       return !by.is_divided() && intersects(by.a(), by.b(), &counted.work());
     }
-    if (!has_field(shape_a, shape_b)) return intersect_placed(shape_a, shape_b, counted.work());
+    if (!has_field(shape_a, shape_b)) return intersect_checked(shape_a, shape_b, counted.work());
     const StandIns by(shape_a, shape_b);
-    return by.are_near() && intersect_placed(by.a.view(), by.b.view(), counted.work());
+    return by.are_near() && intersect_checked(by.a.view(), by.b.view(), counted.work());
   });
 }
 template bool intersects<void>(const PlacedShapeView&, const PlacedShapeView&, Work*);
+
+ShapeDistance distance_of_checked(const PlacedShapeView& a, const PlacedShapeView& b, Work& work) {
+  return is_swapped(a, b) ? mirrored(distance_in_boxes(b, a, work)) : distance_in_boxes(a, b, work);
+}
 
 template <typename>
 ShapeDistance distance(const PlacedShapeView& a, const PlacedShapeView& b, Work* work) {
@@ -278,8 +282,7 @@ ShapeDistance distance(const PlacedShapeView& a, const PlacedShapeView& b, Work*
     CountedWork counted(work);
     if (has_plane(a, b)) return distance_of_plane(a, b, counted.work());
     if (has_field(a, b)) return distance_of_field(a, b, counted.work());
-    return is_swapped(a, b) ? mirrored(distance_in_boxes(b, a, counted.work()))
-                            : distance_in_boxes(a, b, counted.work());
+    return distance_of_checked(a, b, counted.work());
   });
 }
 template ShapeDistance distance<void>(const PlacedShapeView&, const PlacedShapeView&, Work*);

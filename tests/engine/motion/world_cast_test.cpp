@@ -8,9 +8,11 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <memory>
 #include <numbers>
 #include <vector>
 
+#include "tests/engine/body_world/users_ball.h"
 #include "tests/shapes/formula_meshes.h"
 #include "tests/shapes/pose_at.h"
 #include "tests/shapes/random_meshes.h"
@@ -156,6 +158,46 @@ TEST(Law14World, FiltersMovesAndTurns) {
   // Moves count before an update.
   world.move(post, at(3, 0, 100));
   EXPECT_FALSE(world.cast(rod, swing, {}, bodies_alone).has_value());
+}
+
+// A user's own shape throws where it is asked.
+TEST(Law14World, OnlyThoseAreAskedThatItMayComeToFirst) {
+  World world(WorldSettings{});
+  world.add({std::make_shared<const tests::UsersBall>(0.5), at(8, 2, 0)});
+  const Shape ball = Sphere{{0, 0, 0}, 0.5};
+  // Beside the way, in the box of all of its places.
+  const RigidMotion slant(at(0, 0, 0), {.shift = {10, 10, 0}});
+  EXPECT_FALSE(world.cast(ball, slant).has_value());
+  EXPECT_TRUE(world.cast_all(ball, slant).empty());
+  // On the way, and behind something else.
+  const RigidMotion along(at(0, 2, 0), {.shift = {10, 0, 0}});
+  EXPECT_THROW(world.cast(ball, along), UnsupportedPairError);
+  const BodyId wall = world.add({Box{{0.1, 2, 2}}, at(4, 2, 0)});
+  const auto met = world.cast(ball, along);
+  ASSERT_TRUE(met.has_value());
+  EXPECT_EQ(met->id, wall);
+  EXPECT_NEAR(met->contact.low, 0.34, 1e-6);
+  EXPECT_THROW(world.cast_all(ball, along), UnsupportedPairError);
+  // As near as the clearance, where boxes as they are do not meet.
+  EXPECT_THROW(world.cast_all(ball, slant, {.clearance = 4}), UnsupportedPairError);
+}
+
+TEST(Law14World, ABudgetEndsNoEarlierThanBoxesMeet) {
+  World world(WorldSettings{});
+  const BodyId far = world.add({Box{{1, 1, 1}}, at(6, 0, 0)});
+  const BodyId near = world.add({Sphere{{0, 0, 0}, 0.5}, at(3, 0, 0)});
+  const RigidMotion along(at(0, 0, 0), {.shift = {10, 0, 0}});
+  const auto all = world.cast_all(Sphere{{0, 0, 0}, 0.5}, along, {.budget = 0});
+  ASSERT_EQ(all.size(), 2u);
+  EXPECT_EQ(all[0].id, near);
+  EXPECT_EQ(all[1].id, far);
+  for (const BodyCast& each : all) {
+    EXPECT_TRUE(each.contact.is_out_of_budget);
+    EXPECT_EQ(each.contact.status, RigidStatus::Close);
+  }
+  EXPECT_NEAR(all[0].contact.low, 0.2, 1e-6);
+  EXPECT_NEAR(all[1].contact.low, 0.45, 1e-6);
+  EXPECT_EQ(world.cast(Sphere{{0, 0, 0}, 0.5}, along, {.budget = 0}), all[0]);
 }
 
 TEST(Law14World, BadInputIsRefused) {
