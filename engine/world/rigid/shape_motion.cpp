@@ -48,7 +48,8 @@ class ShapeMotion {
       --budget_;
       const double t = grid().time(k);
       const Pose pose_a = a_.motion.at(t), pose_b = b_.motion.at(t);
-      const ShapeDistance found = distance_of_checked({a_.shape, pose_a}, {b_.shape, pose_b}, work_);
+      const ShapeDistance found =
+          distance_of_checked({a_.shape, pose_a}, {b_.shape, pose_b}, work_);
       const double gap = found.lower_bound;
       if (!(gap > approach_.limit)) return k;
       // In one step they stay further apart than the clearance; in more while the gap lasts.
