@@ -57,12 +57,12 @@ void LookAhead::learn(double cost) {
   if (level_ > 0 && kWorth * known > cost_[level_ - 1]) {
     known = 0;
     --level_;
-    hold_ = next_hold_;
-    next_hold_ = std::min(2 * next_hold_, kLongestHold);
-  } else if (hold_ > 0) {
-    --hold_;
+    wait_ = next_wait_;
+    next_wait_ = std::min(2 * next_wait_, kLongestWait);
+  } else if (wait_ > 0) {
+    --wait_;
   } else if (level_ + 1 < kLevels) {
-    if (was_new) next_hold_ = kFirstHold;
+    if (was_new) next_wait_ = kFirstWait;
     ++level_;
     is_new_ = true;
   }

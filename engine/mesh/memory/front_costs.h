@@ -63,11 +63,11 @@ class LookAhead {
       {};  ///< of each level, a mean in which the last queries count most; 0: unknown
   int level_ = 0;
   bool is_new_ = false;  ///< whether the level was raised and no query has been made with it yet
-  int hold_ = 0;         ///< how many queries remain until a higher level is tried
-  int next_hold_ = kFirstHold;  ///< what hold_ becomes when a level does not pay
+  int wait_ = 0;         ///< how many queries remain until a higher level is tried
+  int next_wait_ = kFirstWait;  ///< what wait_ becomes when a level does not pay
 
-  static constexpr int kFirstHold = 4;
-  static constexpr int kLongestHold = 64;
+  static constexpr int kFirstWait = 4;
+  static constexpr int kLongestWait = 64;
 };
 
 }  // namespace graze

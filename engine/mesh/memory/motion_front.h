@@ -14,7 +14,7 @@ namespace graze {
 /// A front (bvh/wide/front/wide_front.h) that follows a motion for as long as that saves time.
 class MotionFront {
  public:
-  explicit MotionFront(bvh::WideFront::Bounds bounds) : bounds_(bounds) {}
+  explicit MotionFront(bvh::WideFront::Kind kind) : kind_(kind) {}
 
   bvh::WideFront& front() { return front_; }
   /// Whether there is a front that follows the motion.
@@ -26,19 +26,20 @@ class MotionFront {
 
   /// Takes note that in so many queries no point of B has moved by more than the step (common
   /// units).
-  void move(const bvh::WideFront::MotionBound& step, int queries);
+  void add_motion(const bvh::WideFront::MotionBound& step, int queries);
 
-  /// The update of the front for this query, if the front is worth it or, begun anew in these
+  /// The pass of this query over the front, if the front is worth it or, begun anew in these
   /// poses, promises to be. Otherwise the query should walk the trees: where most of the front is
   /// due, where queries with it have cost more than a walk, or where distances made it look at a
   /// third of the front. Then the front rests for some queries, and for more of them each time that
-  /// this happens in turn. `limit` as in WideFront::advance().
-  std::optional<bvh::WideFront::Pass> pass(const bvh::WideTree& tree_a, const bvh::WideTree& tree_b,
-                                           const bvh::RelativeFrame& b_in_a,
-                                           const bvh::RelativeFrame& a_in_b, double limit);
+  /// this happens in turn. `limit` as in WideFront::update().
+  std::optional<bvh::WideFront::Pass> start_pass(const bvh::WideTree& tree_a,
+                                                 const bvh::WideTree& tree_b,
+                                                 const bvh::RelativeFrame& b_in_a,
+                                                 const bvh::RelativeFrame& a_in_b, double limit);
 
-  /// Looks at the pairs that are due, and adds what that took to `work`.
-  void advance(const bvh::WideFront::Pass& pass, double limit, Work& work);
+  /// Updates the front: looks at the pairs that are due, and adds what that took to `work`.
+  void update(const bvh::WideFront::Pass& pass, double limit, Work& work);
 
   /// Takes note of what a query did that walked the trees to the end instead.
   void learn_walk(const Work& walk) { worth_.learn_walk(FrontWorth::cost_of_walk(walk)); }
@@ -48,7 +49,7 @@ class MotionFront {
 
   /// Whether a query for a distance would compute so many distances that a walk, which sees fewer
   /// where many are nearly equal, costs less.
-  bool has_many_candidates(const bvh::WideFront::Pass& pass, double limit);
+  bool has_many_near_pairs(const bvh::WideFront::Pass& pass, double limit);
   /// Gives the front up, and lets it rest.
   void give_up();
 
@@ -61,7 +62,7 @@ class MotionFront {
   /// Gives the front a predicted motion, or takes it away where the motion deviates from it.
   void update_prediction(const bvh::RelativeFrame (&now)[2]);
 
-  bvh::WideFront::Bounds bounds_;
+  bvh::WideFront::Kind kind_;
   bvh::WideFront front_;
   bool is_in_use_ = false;
   bvh::WideFront::MotionBound motion_;  ///< since the front was begun
@@ -71,9 +72,9 @@ class MotionFront {
   int next_rest_ = 1;
   FrontWorth worth_;
   LookAhead look_ahead_;
-  double step_ = 0;  ///< how far B moved in each of the last queries, at most, on average
-  int queries_ = 1;  ///< how many queries that average is over
-  bool is_jump_ = true;
+  double step_ = 0;      ///< how far B moved in each of the last queries, at most, on average
+  int queries_ = 1;      ///< how many queries that average is over
+  bool is_jump_ = true;  ///< whether the last step was far longer than those before (kJump)
 
   bvh::RelativeFrame last_[2] = {};  ///< the relative frames when an update was last asked for
   bvh::WideFront::MotionBound since_last_;
