@@ -11,9 +11,9 @@
 namespace graze::bvh {
 
 /// Many boxes that move, each known by its proxy, in blocks of 16 under implicit trees: one tree
-/// for each group of sizes, by factors of 4 or more, and one for boxes that came since the last
-/// sort. Finds what overlaps, exactly on the doubles given. It holds where boxes are kept, in which
-/// order, and how they are searched.
+/// for each layer of size classes, by factors of 4 or more, and one for boxes that came since the
+/// last sort. Finds what overlaps, exactly on the doubles given. It holds where boxes are kept, in
+/// which order, and how they are searched.
 ///
 /// Boxes come and move by the order, and go by the store. After that, or after a move of many, one
 /// of BoxOrder's functions that prepare has to be called before anything is found.

@@ -33,12 +33,12 @@ void OverlapTracker::erase(std::uint32_t proxy) {
 
 /// Changes are made in the order in which they came. What waits cannot fail any more: each takes at
 /// most one new place.
-void OverlapTracker::wait(const Waiting& change) {
+void OverlapTracker::wait(const WaitingChange& change) {
   if (waiting_count_ == kMostWaiting) end_waiting();
   if (change.verb == Verb::Insert) set_.store().reserve(kMostWaiting, change.proxy + 1);
   waiting_[waiting_count_++] = change;
   const std::uint32_t place = set_.store().place(change.proxy);
-  if (place != kNobody) set_.store().prefetch(place);
+  if (place != kNullIndex) set_.store().prefetch(place);
 }
 
 void OverlapTracker::end_waiting() {
@@ -93,7 +93,7 @@ void OverlapTracker::note_many() {
 }
 
 void OverlapTracker::forget_changes() {
-  for (const Changed& changed : changed_)
+  for (const ChangedBox& changed : changed_)
     is_changed_[changed.proxy] = false;
   changed_.clear();
   have_many_changed_ = false;
@@ -154,12 +154,12 @@ void OverlapTracker::search_movers() {
 void OverlapTracker::list_former_boxes() {
   movers_.clear();
   for (std::uint32_t i = 0; i < changed_.size(); ++i) {
-    if (changed_[i].place != kNobody) movers_.push_back({changed_[i].place, i});
+    if (changed_[i].place != kNullIndex) movers_.push_back({changed_[i].place, i});
   }
   sort_movers();
   former_.clear();
   for (const Mover& mover : movers_)
-    former_.add(change_of(mover).proxy, change_of(mover).before);
+    former_.add(changed_box_of(mover).proxy, changed_box_of(mover).before);
 }
 
 /// Neighbours are looked up together.
@@ -167,14 +167,14 @@ void OverlapTracker::list_movers() {
   movers_.clear();
   for (std::uint32_t i = 0; i < changed_.size(); ++i) {
     const std::uint32_t place = set_.store().place(changed_[i].proxy);
-    movers_.push_back({place != kNobody ? place : changed_[i].place, i});
+    movers_.push_back({place != kNullIndex ? place : changed_[i].place, i});
   }
   sort_movers();
 }
 
 void OverlapTracker::sort_movers() {
   std::sort(movers_.begin(), movers_.end(), [](const Mover& s, const Mover& t) {
-    return s.place != t.place ? s.place < t.place : s.change < t.change;
+    return s.place != t.place ? s.place < t.place : s.changed < t.changed;
   });
 }
 
@@ -193,19 +193,19 @@ void OverlapTracker::look_up_some(std::size_t first) {
   OrderedBox before[kLanes], after[kLanes];
   const std::size_t count = std::min<std::size_t>(kLanes, movers_.size() - first);
   for (std::size_t i = 0; i < count; ++i) {
-    const Changed& change = change_of(movers_[first + i]);
+    const ChangedBox& change = changed_box_of(movers_[first + i]);
     before[i] = change.before;
     after[i] = set_.store().contains(change.proxy) ? set_.store().box(change.proxy) : no_box();
   }
-  hits_.clear();
-  set_.search().find_overlapping_either({before, count}, {after, count}, lookup_, hits_);
-  for (const MoverHit& hit : hits_) {
-    const std::uint32_t proxy = change_of(movers_[first + hit.mover]).proxy;
-    const BoxPair pair = ordered_pair(proxy, hit.proxy);
-    if (!is_changed_[hit.proxy]) {
-      if (hit.is > hit.was) begun_.push_back(pair);
-      if (hit.is < hit.was) ended_.push_back(pair);
-    } else if (hit.is && proxy < hit.proxy &&
+  overlaps_.clear();
+  set_.search().find_overlapping_either({before, count}, {after, count}, lookup_, overlaps_);
+  for (const MoverOverlap& found : overlaps_) {
+    const std::uint32_t proxy = changed_box_of(movers_[first + found.mover]).proxy;
+    const BoxPair pair = ordered_pair(proxy, found.proxy);
+    if (!is_changed_[found.proxy]) {
+      if (found.overlaps > found.overlapped) begun_.push_back(pair);
+      if (found.overlaps < found.overlapped) ended_.push_back(pair);
+    } else if (found.overlaps && proxy < found.proxy &&
                index_.position(pairs_, pair) == PairIndex::kNowhere) {
       begun_.push_back(pair);
     }
@@ -265,7 +265,7 @@ void OverlapTracker::work_out_difference() {
   if (!is_grouped_) rows_.group(pairs_.pairs(), set_.store().proxy_limit());
   is_before_grouped_ = is_grouped_ = true;
   begun_.clear(), ended_.clear();  // an earlier call may have thrown halfway
-  append_changes(rows_before_, rows_, rows_to_sort_, begun_, ended_);
+  append_difference(rows_before_, rows_, rows_to_sort_, begun_, ended_);
   has_difference_ = true;
 }
 
@@ -275,9 +275,10 @@ std::size_t OverlapTracker::bytes_for_pairs() const {
                             rows_to_sort_.left.capacity() + rows_to_sort_.right.capacity();
   return pairs * sizeof(BoxPair) + rows_.bytes() + rows_before_.bytes() + index_.bytes() +
          ends_.capacity() * 4 + movers_.capacity() * sizeof(Mover) +
-         changed_.capacity() * sizeof(Changed) + is_changed_.capacity() / 8 +
-         hits_.capacity() * sizeof(MoverHit) +
-         (lookup_.here.capacity() + lookup_.below.capacity()) * sizeof(Reached) + former_.bytes();
+         changed_.capacity() * sizeof(ChangedBox) + is_changed_.capacity() / 8 +
+         overlaps_.capacity() * sizeof(MoverOverlap) +
+         (lookup_.reached.capacity() + lookup_.below.capacity()) * sizeof(Reached) +
+         former_.bytes();
 }
 
 void FormerBoxes::clear() {
@@ -292,7 +293,7 @@ void FormerBoxes::add(std::uint32_t number, const OrderedBox& box) {
   if (lane == 0) {
     high_.push_back(empty_block());
     low_.emplace_back();
-    number_.resize(number_.size() + kLanes, kNobody);
+    number_.resize(number_.size() + kLanes, kNullIndex);
   }
   set_lane(high_.back(), low_.back(), lane, box);
   number_[size_ - 1] = number;

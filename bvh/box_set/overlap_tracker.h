@@ -97,25 +97,25 @@ class OverlapTracker {
 
  private:
   /// A box that has changed since the last update, as it was then.
-  struct Changed {
+  struct ChangedBox {
     OrderedBox before;    ///< no_box() for one that is new
-    std::uint32_t place;  ///< in the set; kNobody for one that is new
+    std::uint32_t place;  ///< in the set; kNullIndex for one that is new
     std::uint32_t proxy;
   };
   enum class Verb { Insert, Move, Erase };
-  struct Waiting {
+  struct WaitingChange {
     Verb verb;
     std::uint32_t proxy;
     Aabb box;
   };
   struct Mover {
-    std::uint32_t place;   ///< now, or where it was if it is gone
-    std::uint32_t change;  ///< which entry of changed_
+    std::uint32_t place;    ///< now, or where it was if it is gone
+    std::uint32_t changed;  ///< which entry of changed_
   };
 
-  const Changed& change_of(const Mover& mover) const { return changed_[mover.change]; }
+  const ChangedBox& changed_box_of(const Mover& mover) const { return changed_[mover.changed]; }
   std::size_t most_changes() const;
-  void wait(const Waiting& change);
+  void wait(const WaitingChange& change);
   void note(std::uint32_t proxy);
   void note_one(std::uint32_t proxy);
   void note_many();
@@ -145,16 +145,16 @@ class OverlapTracker {
   bool is_difference_sorted_ = true;
   PairBuffer begun_, ended_;
   static constexpr std::size_t kMostWaiting = 8;
-  std::array<Waiting, kMostWaiting> waiting_;
+  std::array<WaitingChange, kMostWaiting> waiting_;
   std::size_t waiting_count_ = 0;
-  std::vector<Changed> changed_;  ///< while they are few
-  std::vector<bool> is_changed_;  ///< by proxy
+  std::vector<ChangedBox> changed_;  ///< while they are few
+  std::vector<bool> is_changed_;     ///< by proxy
   bool have_many_changed_ = false;
   std::vector<std::uint32_t> ends_;  ///< working memory of sort_pairs()
   std::vector<Mover> movers_;
   FormerBoxes former_;  ///< where they were
   PairBuffer former_pairs_;
-  std::vector<MoverHit> hits_;
+  std::vector<MoverOverlap> overlaps_;
   Lookup lookup_;
   std::uint64_t searches_for_all_ = 0;
   std::uint64_t searches_for_movers_ = 0;

@@ -1,4 +1,4 @@
-#include <graze/engine/mesh/memory/front_costs.h>
+#include <graze/engine/mesh/memory/motion_front.h>
 #include <gtest/gtest.h>
 
 namespace graze {

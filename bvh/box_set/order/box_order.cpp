@@ -1,17 +1,20 @@
 #include <graze/bvh/box_set/order/box_order.h>
+#include <graze/bvh/box_set/order/size_classes.h>
 
 #include <algorithm>
+#include <bit>
+#include <new>
 
 namespace graze::bvh {
 namespace {
 
-// How many newcomers and holes, and how much inflation of blocks (layer.h), a set without searches
-// for all pairs puts up with before it sorts.
+// How many newcomers and holes, and how much degradation of blocks (layer.h), a set without
+// searches for all pairs puts up with before it sorts.
 constexpr std::size_t kFewNewcomers = 256;
 constexpr std::size_t kNewcomerShare = 8;
 constexpr std::size_t kHoleShare = 8;
 constexpr std::size_t kQueryNewcomerShare = 4;
-constexpr double kMuchInflated = 4;
+constexpr double kMuchDegraded = 4;
 
 // What sorting newcomers costs, each, in blocks that a lookup could have met instead.
 constexpr std::size_t kNewcomerSortCost = 8;
@@ -24,13 +27,66 @@ constexpr double kLeft = 1.5;
 constexpr std::size_t kAskedShare = 64;
 constexpr std::size_t kLeftShare = 4;
 
-// A block is looked at for outliers when its extent has grown by this factor, unless more than a
+// A block is looked at for outliers when its perimeter has grown by this factor, unless more than a
 // few blocks have, one in so many. A box is an outlier if the block without it has at most so large
-// a share of its extent.
+// a share of its perimeter.
 constexpr double kStretched = 2;
 constexpr std::size_t kFewStretched = 4;
 constexpr std::size_t kStretchedShare = 32;
 constexpr double kWorthMoving = 0.75;
+
+// Of more boxes between two refits each is not looked after: a sort costs less.
+constexpr std::size_t kFewArrivals = 256;
+constexpr std::size_t kArrivalShare = 6;
+
+constexpr double kWidened = 2;  // how much wider a block may become than sorted ones are
+
+/// Lane 0 of the result: what holds a lane and a box.
+Block spanned(const Block& block, std::uint32_t lane, const OrderedBox& box) {
+  Block both;
+  for (std::size_t c = 0; c < 3; ++c) {
+    both.row[c][0] = std::min(block.row[c][lane], high_half(box[c]));
+    both.row[c + 3][0] = std::max(block.row[c + 3][lane], high_half(box[c + 3]));
+  }
+  return both;
+}
+
+/// The lanes of a block that hold a box already.
+std::uint32_t holding_lanes(const Block& block, const OrderedBox& box) {
+  std::int32_t holds[kLanes];
+  std::fill_n(holds, kLanes, 1);
+  for (std::size_t c = 0; c < 3; ++c) {
+    const std::int32_t low = high_half(box[c]), high = high_half(box[c + 3]);
+    for (std::uint32_t lane = 0; lane < kLanes; ++lane)
+      holds[lane] &= block.row[c][lane] <= low && high <= block.row[c + 3][lane];
+  }
+  std::uint32_t bits = 0;
+  for (std::uint32_t lane = 0; lane < kLanes; ++lane)
+    bits |= static_cast<std::uint32_t>(holds[lane]) << lane;
+  return bits;
+}
+
+struct Choice {
+  std::uint32_t lane = kNullIndex;
+  double cost = 0;
+  double perimeter = 0;  // with the box
+};
+
+/// Of some lanes of a block the one that the box widens least; of those that it does not widen the
+/// narrowest.
+Choice best_lane(const Block& block, const OrderedBox& box, std::uint32_t lanes) {
+  Choice best;
+  for (; lanes != 0; lanes &= lanes - 1) {
+    const auto lane = static_cast<std::uint32_t>(std::countr_zero(lanes));
+    if (block.row[0][lane] > block.row[3][lane]) continue;
+    const double with = perimeter(spanned(block, lane, box), 0);
+    const double cost = with + (with - perimeter(block, lane));
+    if (best.lane == kNullIndex || cost < best.cost) best = {lane, cost, with};
+  }
+  return best;
+}
+
+constexpr std::uint32_t kAllLanes = (1u << kLanes) - 1;
 
 }  // namespace
 
@@ -42,9 +98,9 @@ void BoxOrder::insert(std::uint32_t proxy, const OrderedBox& box) {
 /// A box that leaves its neighbours for good would make their block span the way between.
 bool BoxOrder::leaves_neighbours(const Layer& layer, std::uint32_t block,
                                  const OrderedBox& box) const {
-  const std::uint32_t here = block - layer.first_block;
-  const Block& parent = layer.upper[1][here >> kLaneBits];
-  const std::uint32_t lane = here & (kLanes - 1);
+  const std::uint32_t block_in_layer = block - layer.first_block;
+  const Block& parent = layer.upper[1][block_in_layer >> kLaneBits];
+  const std::uint32_t lane = block_in_layer & (kLanes - 1);
   Block spanned = empty_block();
   for (std::size_t c = 0; c < 3; ++c) {
     spanned.row[c][0] = std::min(parent.row[c][lane], high_half(box[c]));
@@ -53,8 +109,10 @@ bool BoxOrder::leaves_neighbours(const Layer& layer, std::uint32_t block,
     spanned.row[c + 3][1] = high_half(box[c + 3]);
   }
   // Newcomers have no block of their own yet: any that they leave is a reason to look for one.
-  if (here >= layer.sorted_extent.size()) return extent(spanned, 0) > extent(parent, lane);
-  return extent(spanned, 0) > kLeft * (layer.sorted_extent[here] + extent(spanned, 1));
+  if (block_in_layer >= layer.sorted_perimeter.size())
+    return perimeter(spanned, 0) > perimeter(parent, lane);
+  return perimeter(spanned, 0) >
+         kLeft * (layer.sorted_perimeter[block_in_layer] + perimeter(spanned, 1));
 }
 
 void BoxOrder::move(std::uint32_t proxy, const OrderedBox& box) {
@@ -79,21 +137,57 @@ void BoxOrder::move(std::uint32_t proxy, const OrderedBox& box) {
   store_.set(place, box);
 }
 
+/// False if none of the 256 places where the box belongs is empty and near.
+bool BoxOrder::fill_hole(std::uint32_t proxy, const OrderedBox& box) {
+  ++arrivals_;
+  if (std::max(arrivals_, arrivals_before_) > kFewArrivals + store_.size / kArrivalShare)
+    return false;
+  if (store_.holes == 0 || store_.layers.size() < 2) return false;
+  const std::uint8_t number = layer_of_class_[static_cast<std::size_t>(size_class(box))];
+  if (number == kNoLayer) return false;
+  Layer& layer = store_.layers[number];
+  std::uint32_t block = 0;
+  for (int level = layer.top; level > 1; --level) {
+    const Block& node = layer.upper[level][block];
+    const std::uint32_t holding = holding_lanes(node, box);
+    const Choice choice = best_lane(node, box, holding != 0 ? holding : kAllLanes);
+    if (choice.lane == kNullIndex) return false;
+    block = block * kLanes + choice.lane;
+  }
+  const Choice choice = best_lane(layer.upper[1][block], box, layer.holed[block]);
+  if (choice.lane == kNullIndex) return false;
+  const std::uint32_t leaf = block * kLanes + choice.lane;
+  const double usual = layer.sorted_perimeter[leaf] + perimeter(spanned(empty_block(), 0, box), 0);
+  if (choice.perimeter > kWidened * usual) return false;
+  if (!layer.is_filled[block]) {
+    try {
+      filled_.push_back({number, block});
+    } catch (const std::bad_alloc&) {
+      return false;
+    }
+  }
+  layer.is_filled[block] = true;
+  --store_.holes;
+  store_.take(store_.empty_place(layer.first_block + leaf), proxy, box);
+  if (store_.empty_place(layer.first_block + leaf) == kNullIndex) layer.note_filled(leaf);
+  return true;
+}
+
 void BoxOrder::refit() {
-  if (store_.are_all_touched) {
+  if (store_.are_all_dirty) {
     refit_every_layer();
-    store_.are_all_touched = false;
-    store_.touched.clear();
+    store_.are_all_dirty = false;
+    store_.dirty.clear();
     move_outliers();
   }
-  refit_touched();
+  refit_dirty();
   sort_groups();
   arrivals_before_ = arrivals_;
   arrivals_ = moves_ = 0;
 }
 
 void BoxOrder::refit_every_layer() {
-  inflation_ = 0;
+  degradation_ = 0;
   for (Layer& layer : store_.layers) {
     if (layer.block_count == 0) continue;
     const std::size_t chunks = (layer.block_count + kRefitChunk - 1) / kRefitChunk;
@@ -104,42 +198,41 @@ void BoxOrder::refit_every_layer() {
       const auto first = static_cast<std::uint32_t>(chunk * kRefitChunk);
       const std::uint32_t last = std::min(first + kRefitChunk, layer.block_count);
       refit_blocks(store_.high.data() + layer.first_block, first, last, layer.upper[1].data());
-      for (std::uint32_t b = first; b < last && b < layer.sorted_extent.size(); ++b)
-        sums[chunk] += inflation(layer.extent_of(b), layer.sorted_extent[b], layer.block_count);
+      for (std::uint32_t b = first; b < last && b < layer.sorted_perimeter.size(); ++b)
+        sums[chunk] +=
+            degradation(layer.perimeter_of(b), layer.sorted_perimeter[b], layer.block_count);
     });
     for (const double sum : sums)
-      inflation_ += sum;
+      degradation_ += sum;
     layer.refit_above(1, store_.high.data());
   }
 }
 
-void BoxOrder::refit_touched() {
-  if (store_.touched.empty()) return;
-  std::sort(store_.touched.begin(), store_.touched.end());
-  store_.touched.erase(std::unique(store_.touched.begin(), store_.touched.end()),
-                       store_.touched.end());
+void BoxOrder::refit_dirty() {
+  if (store_.dirty.empty()) return;
+  std::sort(store_.dirty.begin(), store_.dirty.end());
+  store_.dirty.erase(std::unique(store_.dirty.begin(), store_.dirty.end()), store_.dirty.end());
   std::size_t next = 0;
   for (Layer& layer : store_.layers) {
     const std::size_t first = next;
-    while (next < store_.touched.size() &&
-           store_.touched[next] < layer.first_block + layer.block_count)
+    while (next < store_.dirty.size() && store_.dirty[next] < layer.first_block + layer.block_count)
       ++next;
-    touched_here_.clear();
+    dirty_of_layer_.clear();
     for (std::size_t i = first; i < next; ++i)
-      touched_here_.push_back(store_.touched[i] - layer.first_block);
-    const auto count_inflation = [&](double sign) {
+      dirty_of_layer_.push_back(store_.dirty[i] - layer.first_block);
+    const auto count_degradation = [&](double sign) {
       for (std::size_t i = first; i < next; ++i) {
-        const std::uint32_t b = store_.touched[i] - layer.first_block;
-        if (b < layer.sorted_extent.size())
-          inflation_ +=
-              sign * inflation(layer.extent_of(b), layer.sorted_extent[b], layer.block_count);
+        const std::uint32_t b = store_.dirty[i] - layer.first_block;
+        if (b < layer.sorted_perimeter.size())
+          degradation_ += sign * degradation(layer.perimeter_of(b), layer.sorted_perimeter[b],
+                                             layer.block_count);
       }
     };
-    count_inflation(-1);
-    layer.refit_paths(store_.high.data(), touched_here_);
-    count_inflation(1);
+    count_degradation(-1);
+    layer.refit_paths(store_.high.data(), dirty_of_layer_);
+    count_degradation(1);
   }
-  store_.touched.clear();
+  store_.dirty.clear();
 }
 
 /// Finds blocks that single boxes have stretched by leaving their neighbours, and moves those boxes
@@ -148,8 +241,9 @@ void BoxOrder::move_outliers() {
   stretched_.clear();
   for (std::size_t l = 0; l + 1 < store_.layers.size(); ++l) {
     const Layer& layer = store_.layers[l];
-    for (std::uint32_t b = 0; b < layer.sorted_extent.size(); ++b) {
-      if (layer.extent_of(b) > kStretched * layer.sorted_extent[b]) stretched_.push_back({l, b});
+    for (std::uint32_t b = 0; b < layer.sorted_perimeter.size(); ++b) {
+      if (layer.perimeter_of(b) > kStretched * layer.sorted_perimeter[b])
+        stretched_.push_back({l, b});
     }
   }
   if (stretched_.size() > kFewStretched + store_.high.size() / kStretchedShare) return;
@@ -182,11 +276,11 @@ bool BoxOrder::move_outlier(std::size_t l, std::uint32_t b) {
   }
   std::uint32_t best = 0;
   for (std::uint32_t lane = 1; lane < kLanes; ++lane) {
-    if (extent(around, lane) < extent(around, best)) best = lane;
+    if (perimeter(around, lane) < perimeter(around, best)) best = lane;
   }
-  const double now = extent(whole, 0);
-  if (now <= kStretched * store_.layers[l].sorted_extent[b] ||
-      extent(around, best) > kWorthMoving * now)
+  const double now = perimeter(whole, 0);
+  if (now <= kStretched * store_.layers[l].sorted_perimeter[b] ||
+      perimeter(around, best) > kWorthMoving * now)
     return false;
   const std::uint32_t proxy = store_.proxies[block * kLanes + best];
   const OrderedBox box = store_.box(proxy);
@@ -199,7 +293,7 @@ bool BoxOrder::move_outlier(std::size_t l, std::uint32_t b) {
 void BoxOrder::prepare_for_queries() {
   refit();
   if (store_.newcomers > kFewNewcomers + store_.size / kQueryNewcomerShare ||
-      inflation_ > kMuchInflated * static_cast<double>(store_.high.size())) {
+      degradation_ > kMuchDegraded * static_cast<double>(store_.high.size())) {
     sort();
   } else if (store_.newcomers > 2 * sorted_newcomers_ + kLanes) {
     sort_newcomers();
@@ -210,7 +304,7 @@ void BoxOrder::prepare_for_lookups(std::size_t lookups) {
   refit();
   const double blocks = static_cast<double>(store_.high.size());
   if (store_.newcomers > kFewNewcomers + store_.size / kNewcomerShare ||
-      store_.holes > kFewNewcomers + store_.size / kHoleShare || inflation_ > blocks) {
+      store_.holes > kFewNewcomers + store_.size / kHoleShare || degradation_ > blocks) {
     sort();
     return;
   }
@@ -221,7 +315,7 @@ void BoxOrder::prepare_for_lookups(std::size_t lookups) {
 
 void BoxOrder::note_search(std::uint64_t met) {
   if (met_sorted_ == 0 && sorts_ != 0) met_sorted_ = met;
-  if (met > met_sorted_) excess_ += static_cast<double>(met - met_sorted_);
+  if (met > met_sorted_) order_cost_ += static_cast<double>(met - met_sorted_);
 }
 
 }  // namespace graze::bvh

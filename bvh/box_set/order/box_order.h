@@ -20,7 +20,7 @@ class BoxOrder {
   void insert(std::uint32_t proxy, const OrderedBox& box);
   void move(std::uint32_t proxy, const OrderedBox& box);
 
-  /// Makes the bounds fit the boxes again. Costs what was touched.
+  /// Makes the bounds fit the boxes again. Costs time for blocks that are dirty.
   void refit();
 
   /// refit(), and an order for boxes if many came: what queries want.
@@ -34,7 +34,8 @@ class BoxOrder {
   /// lookups as follow would otherwise cost more than that.
   void prepare_for_lookups(std::size_t lookups);
 
-  /// A search for all pairs met so many pairs of blocks: the price of the order.
+  /// A search for all pairs met so many pairs of blocks: those beyond what the first search after
+  /// the last sort met are the cost of the order by now.
   void note_search(std::uint64_t met);
 
   /// Boxes that came, or went far, since the last refit.
@@ -73,16 +74,16 @@ class BoxOrder {
   bool leaves_neighbours(const Layer& layer, std::uint32_t block, const OrderedBox& box) const;
   bool fill_hole(std::uint32_t proxy, const OrderedBox& box);
   void sort();
-  double predicted_excess() const;
+  double predicted_order_cost() const;
   void refit_every_layer();
-  void refit_touched();
+  void refit_dirty();
   void move_outliers();
   bool move_outlier(std::size_t layer, std::uint32_t block);
   void sort_newcomers();
   void sort_groups();
   void sort_group(Layer& layer, std::uint32_t group);
   void regroup(std::uint32_t base, const GroupBlocks& block_of);
-  double inflation_of_group(const Layer& layer, std::uint32_t first) const;
+  double degradation_of_group(const Layer& layer, std::uint32_t first) const;
   std::vector<KdItem> sample_centres(const double* origin) const;
   std::vector<std::uint8_t> choose_layers(std::span<const std::uint32_t> count_of_class,
                                           const double* origin) const;
@@ -93,11 +94,11 @@ class BoxOrder {
 
   BoxStore& store_;
   const Workers& workers_;
-  std::vector<std::uint8_t> layer_of_class_;  ///< of sizes, as of the last sort; kNoLayer if new
-  std::vector<FilledGroup> filled_;           ///< since the last refit
-  std::vector<std::uint32_t> touched_here_;   ///< working memory: touched blocks of one layer
-  std::vector<StretchedBlock> stretched_;     ///< working memory
-  std::vector<double> sums_;                  ///< working memory: inflation by chunks of blocks
+  std::vector<std::uint8_t> layer_of_class_;   ///< of sizes, as of the last sort; kNoLayer if new
+  std::vector<FilledGroup> filled_;            ///< since the last refit
+  std::vector<std::uint32_t> dirty_of_layer_;  ///< working memory: dirty blocks of one layer
+  std::vector<StretchedBlock> stretched_;      ///< working memory
+  std::vector<double> sums_;                   ///< working memory: degradation by chunks of blocks
   std::size_t sorted_newcomers_ = 0;  ///< how many newcomers were when they were last put in order
   std::size_t moves_ = 0;             ///< one by one, since the last refit
   std::size_t arrivals_ = 0;          ///< since the last refit: new, or left their neighbours
@@ -106,8 +107,9 @@ class BoxOrder {
   std::uint64_t sorts_ = 0;
   std::uint64_t groups_sorted_ = 0;
   std::uint64_t met_sorted_ = 0;  ///< pairs of blocks met in the first search after the last sort
-  double excess_ = 0;             ///< pairs of blocks met since then beyond that number
-  double inflation_ = 0;  ///< summed over blocks (inflation() in layer.h), kept up by refit()
+  double order_cost_ =
+      0;  ///< pairs of blocks met since then beyond that number: what the old order has cost
+  double degradation_ = 0;  ///< summed over blocks (degradation() in layer.h), kept up by refit()
 };
 
 }  // namespace graze::bvh

@@ -1,7 +1,7 @@
 // Putting the boxes of a set into a new order.
 
 #include <graze/bvh/box_set/order/box_order.h>
-#include <graze/bvh/box_set/order/size_groups.h>
+#include <graze/bvh/box_set/order/size_classes.h>
 
 #include <algorithm>
 #include <cmath>
@@ -19,16 +19,16 @@ constexpr std::size_t kRoomShare = 64;  // one block in so many is kept for newc
 
 }  // namespace
 
-double BoxOrder::predicted_excess() const {
+double BoxOrder::predicted_order_cost() const {
   const double blocks = static_cast<double>(store_.high.size());
   if (sorts_ == 0) return 0.5 * blocks * blocks;
-  return static_cast<double>(met_sorted_) * inflation_ / std::max(1.0, blocks);
+  return static_cast<double>(met_sorted_) * degradation_ / std::max(1.0, blocks);
 }
 
 void BoxOrder::prepare_for_search() {
   refit();
   const double cost = kSortCost * static_cast<double>(store_.high.size());
-  if (excess_ + predicted_excess() > cost || store_.holes > kLanes + store_.size / 8) {
+  if (order_cost_ + predicted_order_cost() > cost || store_.holes > kLanes + store_.size / 8) {
     sort();
   } else if (store_.newcomers > sorted_newcomers_) {
     sort_newcomers();
@@ -41,7 +41,7 @@ std::vector<KdItem> BoxOrder::sample_centres(const double* origin) const {
   const std::size_t count = std::min(kSample, store_.proxies.size());
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t place = i * store_.proxies.size() / count;
-    if (store_.proxies[place] == kNobody) continue;
+    if (store_.proxies[place] == kNullIndex) continue;
     const OrderedBox of = store_.box(store_.proxies[place]);
     sample.push_back({{}, store_.proxies[place]});
     for (std::size_t c = 0; c < 3; ++c)
@@ -61,7 +61,7 @@ std::vector<std::uint8_t> BoxOrder::choose_layers(std::span<const std::uint32_t>
   }
   std::vector<KdItem> sample;
   if (classes.size() > 1) sample = sample_centres(origin);
-  const std::vector<std::size_t> group = group_sizes(classes, sample);
+  const std::vector<std::size_t> group = share_layers(classes, sample);
   // Where there are more groups than layers, the lowest ones share one.
   const std::size_t groups = group.empty() ? 0 : group.back() + 1;
   const std::size_t lowest = groups > kMostLayers ? groups - kMostLayers : 0;
@@ -80,7 +80,7 @@ void BoxOrder::collect_items(SortSpace& space) const {
   double origin[3] = {0, 0, 0};
   bool is_first = true;
   for (std::uint32_t place = 0; place < store_.proxies.size(); ++place) {
-    if (store_.proxies[place] == kNobody) continue;
+    if (store_.proxies[place] == kNullIndex) continue;
     const OrderedBox of = store_.box_at(place);
     classes[place] = static_cast<std::int16_t>(size_class(of));
     ++count[static_cast<std::size_t>(classes[place])];
@@ -99,7 +99,7 @@ void BoxOrder::collect_items(SortSpace& space) const {
   space.items.resize(store_.size);
   std::vector<std::uint32_t> next(start.begin(), start.end());
   for (std::uint32_t place = 0; place < store_.proxies.size(); ++place) {
-    if (store_.proxies[place] == kNobody) continue;
+    if (store_.proxies[place] == kNullIndex) continue;
     const OrderedBox of = store_.box_at(place);
     const auto number = static_cast<std::size_t>(classes[place]);
     KdItem& item = space.items[next[space.layer_of_class[number]]++];
@@ -118,7 +118,7 @@ void BoxOrder::make_room_for_items(SortSpace& space) const {
     const std::uint32_t count = i + 1 == start.size() ? 0 : start[i + 1] - start[i];
     Layer& layer = space.layers[i];
     layer.reshape(blocks, (count + kLanes - 1) / kLanes);
-    layer.sorted_extent.resize(layer.block_count);
+    layer.sorted_perimeter.resize(layer.block_count);
     if (layer.block_count != 0) {
       layer.holed.assign(layer.upper[1].size(), 0);
       layer.is_filled.assign(layer.upper[1].size(), false);
@@ -130,7 +130,7 @@ void BoxOrder::make_room_for_items(SortSpace& space) const {
   space.high.reserve(room), space.low.reserve(room), space.proxies.reserve(room * kLanes);
   space.high.assign(blocks, empty_block());
   space.low.resize(blocks);
-  space.proxies.assign(std::size_t{blocks} * kLanes, kNobody);
+  space.proxies.assign(std::size_t{blocks} * kLanes, kNullIndex);
 }
 
 /// Writes the boxes in the order of the items.
@@ -166,7 +166,7 @@ void BoxOrder::measure_sorted() {
     if (layer.block_count == 0) continue;
     layer.refit_all(store_.high.data());
     for (std::uint32_t b = 0; b < layer.block_count; ++b)
-      layer.sorted_extent[b] = static_cast<float>(layer.extent_of(b));
+      layer.sorted_perimeter[b] = static_cast<float>(layer.perimeter_of(b));
   }
 }
 
@@ -179,7 +179,7 @@ void BoxOrder::sort_newcomers() {
   items.reserve(store_.newcomers), boxes.reserve(store_.newcomers);
   const std::uint32_t first = last.first_block * kLanes;
   for (std::uint32_t place = first; place < first + store_.newcomers; ++place) {
-    if (store_.proxies[place] == kNobody) continue;
+    if (store_.proxies[place] == kNullIndex) continue;
     const OrderedBox of = store_.box(store_.proxies[place]);
     items.push_back({{}, store_.proxies[place]});
     for (std::size_t c = 0; c < 3; ++c)
@@ -195,7 +195,7 @@ void BoxOrder::sort_newcomers() {
   store_.high.resize(last.first_block + blocks, empty_block());
   store_.low.resize(last.first_block + blocks);
   store_.proxies.resize(first);
-  store_.proxies.resize(first + blocks * kLanes, kNobody);
+  store_.proxies.resize(first + blocks * kLanes, kNullIndex);
   last.reshape(last.first_block, blocks);
   for (std::uint32_t i = 0; i < items.size(); ++i) {
     const std::uint32_t place = first + i;
@@ -219,11 +219,11 @@ void BoxOrder::sort() {
   place_items(space);
   measure_sorted();
   store_.newcomers = sorted_newcomers_ = store_.holes = 0;
-  store_.are_all_touched = false;
-  store_.touched.clear();
+  store_.are_all_dirty = false;
+  store_.dirty.clear();
   filled_.clear();
   met_sorted_ = 0;
-  excess_ = inflation_ = 0;
+  order_cost_ = degradation_ = 0;
   store_.places.shrink_to_fit();
   store_.was_sorted = true;
   ++sorts_;

@@ -9,8 +9,8 @@
 namespace graze::bvh {
 namespace {
 
-// The blocks of a group may be so much inflated, summed, before it is sorted: as all blocks may.
-constexpr double kMostInflated = kLanes;
+// The blocks of a group may be so much degraded, summed, before it is sorted: as all blocks may.
+constexpr double kMostDegraded = kLanes;
 
 constexpr std::size_t kFewItems = 24;  // are sorted in one go
 constexpr int kMostCuts = 8;
@@ -48,9 +48,9 @@ float mean(std::span<const GroupItem> items, std::size_t axis) {
 /// whether it moves or not: which side it belongs to cannot be foreseen.
 std::size_t partition_below(std::span<GroupItem> items, std::size_t axis, float pivot) {
   std::size_t below = 0;
-  for (GroupItem& here : items) {
-    const GroupItem item = here;
-    here = items[below];
+  for (GroupItem& slot : items) {
+    const GroupItem item = slot;
+    slot = items[below];
     items[below] = item;
     below += item.centre[axis] < pivot;
   }
@@ -101,10 +101,10 @@ void BoxOrder::sort_groups() {
   filled_.clear();
 }
 
-double BoxOrder::inflation_of_group(const Layer& layer, std::uint32_t first) const {
+double BoxOrder::degradation_of_group(const Layer& layer, std::uint32_t first) const {
   double sum = 0;
   for (std::uint32_t b = first; b < first + kLanes; ++b)
-    sum += inflation(layer.extent_of(b), layer.sorted_extent[b], layer.block_count);
+    sum += degradation(layer.perimeter_of(b), layer.sorted_perimeter[b], layer.block_count);
   return sum;
 }
 
@@ -119,9 +119,9 @@ void BoxOrder::regroup(std::uint32_t base, const GroupBlocks& block_of) {
   std::size_t count = 0;
   for (std::uint32_t i = 0; i < kLanes * kLanes; ++i) {
     const std::uint32_t place = base + i;
-    if (store_.proxies[place] == kNobody || block_of[i] == i / kLanes) continue;
+    if (store_.proxies[place] == kNullIndex || block_of[i] == i / kLanes) continue;
     movers[count++] = {store_.box_at(place), store_.proxies[place], block_of[i]};
-    store_.proxies[place] = kNobody;
+    store_.proxies[place] = kNullIndex;
     clear_lane(store_.high[place >> kLaneBits], place & (kLanes - 1));
   }
   for (const Mover& mover : std::span(movers).first(count)) {
@@ -136,15 +136,15 @@ void BoxOrder::regroup(std::uint32_t base, const GroupBlocks& block_of) {
 void BoxOrder::sort_group(Layer& layer, std::uint32_t group) {
   const std::uint32_t first = group * kLanes;
   if (first + kLanes >= layer.block_count) return;  // the last one has lanes that are no holes
-  const double before = inflation_of_group(layer, first);
-  if (before <= kMostInflated) return;
+  const double before = degradation_of_group(layer, first);
+  if (before <= kMostDegraded) return;
 
   std::array<GroupItem, kLanes * kLanes> items;
   std::uint32_t count = 0;
   double origin[3] = {0, 0, 0};
   const std::uint32_t base = (layer.first_block + first) * kLanes;
   for (std::uint32_t i = 0; i < kLanes * kLanes; ++i) {
-    if (store_.proxies[base + i] == kNobody) continue;
+    if (store_.proxies[base + i] == kNullIndex) continue;
     const OrderedBox box = store_.box_at(base + i);
     GroupItem& item = items[count++];
     for (std::size_t c = 0; c < 3; ++c) {
@@ -158,16 +158,16 @@ void BoxOrder::sort_group(Layer& layer, std::uint32_t group) {
   regroup(base, block_of);
   for (std::uint32_t b = first; b < first + kLanes; ++b) {
     layer.note_filled(b);
-    if (store_.empty_place(layer.first_block + b) != kNobody) layer.note_hole(b);
+    if (store_.empty_place(layer.first_block + b) != kNullIndex) layer.note_hole(b);
   }
   refit_blocks(store_.high.data() + layer.first_block, first, first + kLanes,
                layer.upper[1].data());
   // No block may be held to a wider one than the widest: a bad order does not become the norm.
-  const auto extents = layer.sorted_extent.begin() + first;
-  const float widest = *std::max_element(extents, extents + kLanes);
+  const auto perimeters = layer.sorted_perimeter.begin() + first;
+  const float widest = *std::max_element(perimeters, perimeters + kLanes);
   for (std::uint32_t b = first; b < first + kLanes; ++b)
-    layer.sorted_extent[b] = std::min(static_cast<float>(layer.extent_of(b)), widest);
-  inflation_ += inflation_of_group(layer, first) - before;
+    layer.sorted_perimeter[b] = std::min(static_cast<float>(layer.perimeter_of(b)), widest);
+  degradation_ += degradation_of_group(layer, first) - before;
   ++groups_sorted_;
 }
 

@@ -28,7 +28,7 @@ using Lanes = hn::Vec<Tag>;
 using Mask = hn::Mask<Tag>;
 
 // A register that is not the widest holds part of a block; bits of its lanes are the lowest ones.
-inline constexpr std::uint32_t kAllHere = (1u << hn::MaxLanes(Tag())) - 1;
+inline constexpr std::uint32_t kAllOfRegister = (1u << hn::MaxLanes(Tag())) - 1;
 static_assert(std::endian::native == std::endian::little);
 
 HWY_INLINE std::uint32_t bits_of(Mask mask) {
@@ -122,7 +122,7 @@ HWY_INLINE NearLanes near_and_unsure(const Block& block, const BroadcastBox& box
       least = hn::Min(least, hn::BitCast(lengths, hn::Sub(high, low)));
     }
     const Mask is_equal = hn::Eq(hn::BitCast(tag, least), hn::Zero(tag));
-    const std::uint32_t near = ~bits_of(is_far) & kAllHere;
+    const std::uint32_t near = ~bits_of(is_far) & kAllOfRegister;
     sum.near |= near << lane;
     sum.unsure |= (near & bits_of(is_equal)) << lane;
   }
@@ -212,7 +212,7 @@ class LeafBatch {
     }
     met_ += pair_count_;
     pair_count_ = 0;
-    find_hits(end);
+    find_overlaps(end);
   }
 
   std::uint64_t met() const { return met_; }
@@ -269,7 +269,7 @@ class LeafBatch {
   }
 
   /// Appends what the rows overlap, exactly.
-  HWY_INLINE void find_hits(const std::uint32_t* end_of_rows) {
+  HWY_INLINE void find_overlaps(const std::uint32_t* end_of_rows) {
     const auto count = static_cast<std::size_t>(end_of_rows - rows_);
     BoxPair* end = out_.room_for((count + 1) * kLanes);
     for (const std::uint32_t* row = rows_; row != end_of_rows; ++row) {
@@ -279,14 +279,14 @@ class LeafBatch {
       // Of one block with itself only the columns above the row's own: bits lane + 1 and up.
       const std::uint32_t wanted =
           meeting.near & static_cast<std::uint32_t>(meeting.upper_half >> (30 - lane));
-      std::uint32_t hits = found.near & wanted;
+      std::uint32_t overlapping = found.near & wanted;
       const std::uint32_t unsure = found.unsure & wanted;
       if (HWY_UNLIKELY(unsure != 0)) {
-        hits &= ~unsure;
-        hits |= decided_lanes(*meeting.columns, *meeting.low[1],
-                              lane_box(*meeting.rows, *meeting.low[0], lane), unsure);
+        overlapping &= ~unsure;
+        overlapping |= decided_lanes(*meeting.columns, *meeting.low[1],
+                                     lane_box(*meeting.rows, *meeting.low[0], lane), unsure);
       }
-      end = list_pairs(meeting.row_proxies[lane], meeting.column_proxies, hits, end);
+      end = list_pairs(meeting.row_proxies[lane], meeting.column_proxies, overlapping, end);
     }
     out_.set_end(end);
   }

@@ -27,7 +27,7 @@ class BoxSearch {
   /// Appends what overlaps movers where they were or where they are, up to 16 at a time.
   void find_overlapping_either(std::span<const OrderedBox> before,
                                std::span<const OrderedBox> after, Lookup& lookup,
-                               std::vector<MoverHit>& out) const;
+                               std::vector<MoverOverlap>& out) const;
 
   /// Visits the boxes along a ray, as bvh::walk_along() says.
   void walk_along(const RaySlabs& ray, double& limit, const RayVisitor& visit) const;

@@ -31,26 +31,26 @@ HWY_INLINE void open(const TreeView& a, const TreeView& b, BlockPair pair, const
     std::uint32_t rows = near_lanes(block_a, bounds(b, pair.level_b, pair.b));
     for (; rows != 0; rows &= rows - 1) {
       const auto i = static_cast<std::uint32_t>(std::countr_zero(rows));
-      std::uint32_t hits = near_lanes(block_b, BroadcastBox(block_a, i));
-      if (is_same) hits &= 0xffffu << i;
+      std::uint32_t overlapping = near_lanes(block_b, BroadcastBox(block_a, i));
+      if (is_same) overlapping &= 0xffffu << i;
       next.a = pair.a * kLanes + i;
-      for (; hits != 0; hits &= hits - 1) {
-        next.b = pair.b * kLanes + static_cast<std::uint32_t>(std::countr_zero(hits));
+      for (; overlapping != 0; overlapping &= overlapping - 1) {
+        next.b = pair.b * kLanes + static_cast<std::uint32_t>(std::countr_zero(overlapping));
         push(next);
       }
     }
   } else if (pair.level_a > pair.level_b) {
     --next.level_a;
-    std::uint32_t hits = near_lanes(block_a, bounds(b, pair.level_b, pair.b));
-    for (; hits != 0; hits &= hits - 1) {
-      next.a = pair.a * kLanes + static_cast<std::uint32_t>(std::countr_zero(hits));
+    std::uint32_t overlapping = near_lanes(block_a, bounds(b, pair.level_b, pair.b));
+    for (; overlapping != 0; overlapping &= overlapping - 1) {
+      next.a = pair.a * kLanes + static_cast<std::uint32_t>(std::countr_zero(overlapping));
       push(next);
     }
   } else {
     --next.level_b;
-    std::uint32_t hits = near_lanes(block_b, bounds(a, pair.level_a, pair.a));
-    for (; hits != 0; hits &= hits - 1) {
-      next.b = pair.b * kLanes + static_cast<std::uint32_t>(std::countr_zero(hits));
+    std::uint32_t overlapping = near_lanes(block_b, bounds(a, pair.level_a, pair.a));
+    for (; overlapping != 0; overlapping &= overlapping - 1) {
+      next.b = pair.b * kLanes + static_cast<std::uint32_t>(std::countr_zero(overlapping));
       push(next);
     }
   }
@@ -95,23 +95,24 @@ void find_overlapping(const TreeView& tree, const OrderedBox& box,
   while (end != stack) {
     const Entry entry = *--end;
     const Block& block = tree.level[entry.level][entry.block];
-    std::uint32_t hits = near_lanes(block, high);
+    std::uint32_t overlapping = near_lanes(block, high);
     if (entry.level != 0) {
-      for (; hits != 0; hits &= hits - 1) {
+      for (; overlapping != 0; overlapping &= overlapping - 1) {
         const std::uint32_t next =
-            entry.block * kLanes + static_cast<std::uint32_t>(std::countr_zero(hits));
+            entry.block * kLanes + static_cast<std::uint32_t>(std::countr_zero(overlapping));
         for (const auto& row : tree.level[entry.level - 1][next].row)
           __builtin_prefetch(row);
         *end++ = {next, entry.level - 1};
       }
       continue;
     }
-    if (hits == 0) continue;
-    const std::uint32_t sure = hits & sure_lanes(block, high);
-    if (sure != hits) hits = sure | decided_lanes(block, tree.low[entry.block], box, hits & ~sure);
-    for (; hits != 0; hits &= hits - 1)
-      out.push_back(
-          tree.proxy[entry.block * kLanes + static_cast<std::uint32_t>(std::countr_zero(hits))]);
+    if (overlapping == 0) continue;
+    const std::uint32_t sure = overlapping & sure_lanes(block, high);
+    if (sure != overlapping)
+      overlapping = sure | decided_lanes(block, tree.low[entry.block], box, overlapping & ~sure);
+    for (; overlapping != 0; overlapping &= overlapping - 1)
+      out.push_back(tree.proxy[entry.block * kLanes +
+                               static_cast<std::uint32_t>(std::countr_zero(overlapping))]);
   }
 }
 
@@ -137,42 +138,43 @@ HWY_INLINE Block high_halves(std::span<const OrderedBox> boxes) {
 HWY_INLINE void step_down(const TreeView& tree, int level, const Block& before, const Block& after,
                           Lookup& lookup) {
   lookup.below.clear();
-  for (const Reached& at : lookup.here) {
+  for (const Reached& at : lookup.reached) {
     const Block& block = tree.level[level][at.block];
-    std::uint32_t hits = near_lanes(block, BroadcastBox(before, at.mover)) |
-                         near_lanes(block, BroadcastBox(after, at.mover));
-    for (; hits != 0; hits &= hits - 1) {
+    std::uint32_t overlapping = near_lanes(block, BroadcastBox(before, at.mover)) |
+                                near_lanes(block, BroadcastBox(after, at.mover));
+    for (; overlapping != 0; overlapping &= overlapping - 1) {
       const std::uint32_t next =
-          at.block * kLanes + static_cast<std::uint32_t>(std::countr_zero(hits));
+          at.block * kLanes + static_cast<std::uint32_t>(std::countr_zero(overlapping));
       for (const auto& row : tree.level[level - 1][next].row)
         __builtin_prefetch(row);
       if (level == 1) __builtin_prefetch(tree.proxy + next * kLanes);
       lookup.below.push_back({at.mover, next});
     }
   }
-  lookup.here.swap(lookup.below);
+  lookup.reached.swap(lookup.below);
 }
 
 void find_overlapping_either(const TreeView& tree, std::span<const OrderedBox> before,
                              std::span<const OrderedBox> after, Lookup& lookup,
-                             std::vector<MoverHit>& out) {
+                             std::vector<MoverOverlap>& out) {
   const Block high_before = high_halves(before), high_after = high_halves(after);
-  lookup.here.clear();
+  lookup.reached.clear();
   for (std::uint32_t mover = 0; mover < before.size(); ++mover)
-    lookup.here.push_back({mover, 0});
+    lookup.reached.push_back({mover, 0});
   for (int level = tree.top; level > 0; --level)
     step_down(tree, level, high_before, high_after, lookup);
-  for (const auto& [mover, at] : lookup.here) {
+  for (const auto& [mover, at] : lookup.reached) {
     const Block& block = tree.level[0][at];
-    const std::uint32_t was =
+    const std::uint32_t overlapped =
         exact_lanes(block, tree.low[at], BroadcastBox(high_before, mover), before[mover]);
-    const std::uint32_t is =
+    const std::uint32_t overlaps =
         exact_lanes(block, tree.low[at], BroadcastBox(high_after, mover), after[mover]);
-    for (std::uint32_t hits = was | is; hits != 0; hits &= hits - 1) {
-      const auto lane = static_cast<std::uint32_t>(std::countr_zero(hits));
+    for (std::uint32_t overlapping = overlapped | overlaps; overlapping != 0;
+         overlapping &= overlapping - 1) {
+      const auto lane = static_cast<std::uint32_t>(std::countr_zero(overlapping));
       out.push_back({tree.proxy[at * kLanes + lane], static_cast<std::uint8_t>(mover),
-                     static_cast<std::uint8_t>(was >> lane & 1),
-                     static_cast<std::uint8_t>(is >> lane & 1)});
+                     static_cast<std::uint8_t>(overlapped >> lane & 1),
+                     static_cast<std::uint8_t>(overlaps >> lane & 1)});
     }
   }
 }
@@ -206,7 +208,7 @@ void find_overlapping(const TreeView& tree, const OrderedBox& box,
 
 void find_overlapping_either(const TreeView& tree, std::span<const OrderedBox> before,
                              std::span<const OrderedBox> after, Lookup& lookup,
-                             std::vector<MoverHit>& out) {
+                             std::vector<MoverOverlap>& out) {
   HWY_DYNAMIC_DISPATCH(find_overlapping_either)(tree, before, after, lookup, out);
 }
 

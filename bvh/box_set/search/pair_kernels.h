@@ -35,11 +35,11 @@ void split_pair(const TreeView& a, const TreeView& b, BlockPair start, std::vect
 void find_overlapping(const TreeView& tree, const OrderedBox& box, std::vector<std::uint32_t>& out);
 
 /// A box that overlaps a mover where it was, where it is, or both.
-struct MoverHit {
+struct MoverOverlap {
   std::uint32_t proxy;
-  std::uint8_t mover;  ///< its number among those that were looked up together
-  std::uint8_t was;    ///< 1 if it overlaps the mover where that was
-  std::uint8_t is;     ///< 1 if it overlaps the mover where that is
+  std::uint8_t mover;       ///< its number among those that were looked up together
+  std::uint8_t overlapped;  ///< 1 if it overlaps the mover where that was
+  std::uint8_t overlaps;    ///< 1 if it overlaps the mover where that is
 };
 
 /// A block that some of the movers looked up together may overlap. Working memory.
@@ -48,13 +48,14 @@ struct Reached {
   std::uint32_t block;
 };
 struct Lookup {
-  std::vector<Reached> here, below;
+  std::vector<Reached> reached;  ///< on the level that is looked at
+  std::vector<Reached> below;    ///< one level down
 };
 
 /// Appends what overlaps before[i] or after[i], exactly, for up to 16 movers: they go down level by
 /// level, so that none waits for what it will read. no_box() overlaps nothing.
 void find_overlapping_either(const TreeView& tree, std::span<const OrderedBox> before,
                              std::span<const OrderedBox> after, Lookup& lookup,
-                             std::vector<MoverHit>& out);
+                             std::vector<MoverOverlap>& out);
 
 }  // namespace graze::bvh

@@ -78,10 +78,10 @@ static inline bool overlap(const OrderedBox& a, const OrderedBox& b) {
   return is_overlapping;
 }
 
-inline constexpr std::uint32_t kLanes = 16;            // boxes in a block: one register of AVX-512
-inline constexpr std::uint32_t kLaneBits = 4;          // log2(kLanes)
-inline constexpr int kMaxLevels = 9;                   // of a tree over less than 2^28 boxes
-inline constexpr std::uint32_t kNobody = 0xffffffffu;  // the proxy of an empty lane
+inline constexpr std::uint32_t kLanes = 16;    // boxes in a block: one register of AVX-512
+inline constexpr std::uint32_t kLaneBits = 4;  // log2(kLanes)
+inline constexpr int kMaxLevels = 9;           // of a tree over less than 2^28 boxes
+inline constexpr std::uint32_t kNullIndex = 0xffffffffu;  // no proxy, no place
 
 /// High halves of 16 boxes, row by row: min x, y, z, max x, y, z. A level above the boxes is made
 /// of the same blocks: a lane there holds all boxes of one block below.
@@ -133,7 +133,7 @@ static inline OrderedBox lane_box(const Block& high, const LowBlock& low, std::u
 struct TreeView {
   const Block* level[kMaxLevels];
   const LowBlock* low;         ///< of level 0
-  const std::uint32_t* proxy;  ///< of each lane of level 0; kNobody where it is empty
+  const std::uint32_t* proxy;  ///< of each lane of level 0; kNullIndex where it is empty
   int top;
 };
 

@@ -6,9 +6,9 @@
 namespace graze::bvh {
 namespace {
 
-// If one block in so many is touched, refitting the paths of single blocks costs more than
+// If one block in so many is dirty, refitting the paths of single blocks costs more than
 // refitting all.
-constexpr std::size_t kTouchedShare = 4;
+constexpr std::size_t kDirtyShare = 4;
 
 constexpr std::size_t kGrowthShare = 32;  // one place in so many is reserved for boxes to come
 
@@ -32,9 +32,9 @@ std::size_t BoxStore::layer_of(std::uint32_t block) const {
 
 std::uint32_t BoxStore::empty_place(std::uint32_t block) const {
   for (std::uint32_t place = block * kLanes; place < (block + 1) * kLanes; ++place) {
-    if (proxies[place] == kNobody) return place;
+    if (proxies[place] == kNullIndex) return place;
   }
-  return kNobody;
+  return kNullIndex;
 }
 
 void BoxStore::prefetch(std::uint32_t place) const {
@@ -55,7 +55,7 @@ void BoxStore::reserve(std::size_t boxes, std::uint32_t proxy_limit) {
   const std::size_t share = !was_sorted ? 1 : kGrowthShare;
   if (proxy_limit > places.size()) {
     make_room_in(places, proxy_limit - places.size(), share);
-    places.resize(proxy_limit, kNobody);
+    places.resize(proxy_limit, kNullIndex);
   }
   if (layers.empty()) layers.emplace_back();
   Layer& last = layers.back();
@@ -77,13 +77,13 @@ bool BoxStore::has_room_for_one() {
   }
 }
 
-void BoxStore::touch(std::uint32_t block) {
-  if (are_all_touched) return;
+void BoxStore::mark_dirty(std::uint32_t block) {
+  if (are_all_dirty) return;
   try {
-    touched.push_back(block);
-    are_all_touched = touched.size() > high.size() / kTouchedShare + kLanes;
+    dirty.push_back(block);
+    are_all_dirty = dirty.size() > high.size() / kDirtyShare + kLanes;
   } catch (const std::bad_alloc&) {
-    are_all_touched = true;
+    are_all_dirty = true;
   }
 }
 
@@ -92,7 +92,7 @@ void BoxStore::append(std::uint32_t proxy, const OrderedBox& box) {
   if (newcomers % kLanes == 0) {
     high.push_back(empty_block());
     low.emplace_back();
-    proxies.resize(proxies.size() + kLanes, kNobody);
+    proxies.resize(proxies.size() + kLanes, kNullIndex);
     last.reshape(last.first_block, last.block_count + 1);
   }
   const std::uint32_t place = last.first_block * kLanes + static_cast<std::uint32_t>(newcomers++);
@@ -103,16 +103,16 @@ void BoxStore::take(std::uint32_t place, std::uint32_t proxy, const OrderedBox& 
   places[proxy] = place;
   proxies[place] = proxy;
   set_lane(high[place >> kLaneBits], low[place >> kLaneBits], place & (kLanes - 1), box);
-  touch(place >> kLaneBits);
+  mark_dirty(place >> kLaneBits);
   ++size;
 }
 
 void BoxStore::erase(std::uint32_t proxy) {
   const std::uint32_t place = places[proxy];
   clear_lane(high[place >> kLaneBits], place & (kLanes - 1));
-  proxies[place] = kNobody;
-  places[proxy] = kNobody;
-  touch(place >> kLaneBits);
+  proxies[place] = kNullIndex;
+  places[proxy] = kNullIndex;
+  mark_dirty(place >> kLaneBits);
   Layer& layer = layers[layer_of(place >> kLaneBits)];
   layer.note_hole((place >> kLaneBits) - layer.first_block);
   ++holes;
@@ -121,16 +121,16 @@ void BoxStore::erase(std::uint32_t proxy) {
 
 void BoxStore::set(std::uint32_t place, const OrderedBox& box) {
   set_lane(high[place >> kLaneBits], low[place >> kLaneBits], place & (kLanes - 1), box);
-  touch(place >> kLaneBits);
+  mark_dirty(place >> kLaneBits);
 }
 
 std::size_t BoxStore::bytes() const {
   std::size_t sum = high.capacity() * sizeof(Block) + low.capacity() * sizeof(LowBlock) +
-                    (proxies.capacity() + places.capacity() + touched.capacity()) * 4;
+                    (proxies.capacity() + places.capacity() + dirty.capacity()) * 4;
   for (const Layer& layer : layers) {
     for (const std::vector<Block>& level : layer.upper)
       sum += level.capacity() * sizeof(Block);
-    sum += layer.sorted_extent.capacity() * sizeof(float) + layer.holed.capacity() * 2 +
+    sum += layer.sorted_perimeter.capacity() * sizeof(float) + layer.holed.capacity() * 2 +
            layer.is_filled.capacity() / 8;
   }
   return sum;
@@ -156,7 +156,7 @@ void ManyMoves::fill_blocks(std::span<const Aabb> boxes, const InputOf& input_of
       set_lane(store_.high[block], store_.low[block], place & (kLanes - 1), ordered_box(boxes[i]));
     }
   });
-  store_.are_all_touched = true;
+  store_.are_all_dirty = true;
 }
 
 void ManyMoves::move_named(std::span<const Aabb> boxes) {

@@ -14,25 +14,25 @@ namespace graze::bvh {
 /// layers that runs of blocks form. A place is 16 times a block plus a lane.
 ///
 /// It decides nothing: BoxOrder says which place a box takes, and makes the bounds above blocks fit
-/// what was touched.
+/// what was dirty.
 struct BoxStore {
   std::vector<Block> high;
   std::vector<LowBlock> low;
-  std::vector<std::uint32_t> proxies;  ///< by place; kNobody where a lane is empty
-  std::vector<std::uint32_t> places;   ///< by proxy; kNobody for one without a box
-  std::vector<Layer> layers;  ///< by group of sizes; the last holds what came since the sort
-  std::size_t size = 0;       ///< of boxes
-  std::size_t newcomers = 0;  ///< places of the last layer that are or were taken
-  std::size_t holes = 0;      ///< places that boxes have left
-  std::vector<std::uint32_t> touched;  ///< blocks whose boxes have changed since the last refit
-  bool are_all_touched = false;
+  std::vector<std::uint32_t> proxies;  ///< by place; kNullIndex where a lane is empty
+  std::vector<std::uint32_t> places;   ///< by proxy; kNullIndex for one without a box
+  std::vector<Layer> layers;           ///< by size; the last holds what came since the sort
+  std::size_t size = 0;                ///< of boxes
+  std::size_t newcomers = 0;           ///< places of the last layer that are or were taken
+  std::size_t holes = 0;               ///< places that boxes have left
+  std::vector<std::uint32_t> dirty;    ///< blocks whose boxes have changed since the last refit
+  bool are_all_dirty = false;
   bool was_sorted = false;  ///< whether it ever was
 
   bool contains(std::uint32_t proxy) const {
-    return proxy < places.size() && places[proxy] != kNobody;
+    return proxy < places.size() && places[proxy] != kNullIndex;
   }
   std::uint32_t place(std::uint32_t proxy) const {
-    return proxy < places.size() ? places[proxy] : kNobody;
+    return proxy < places.size() ? places[proxy] : kNullIndex;
   }
   OrderedBox box(std::uint32_t proxy) const { return box_at(places[proxy]); }
   OrderedBox box_at(std::uint32_t place) const {
@@ -44,7 +44,7 @@ struct BoxStore {
 
   /// The layer that a block belongs to.
   std::size_t layer_of(std::uint32_t block) const;
-  /// A place in a block that holds no box; kNobody if there is none.
+  /// A place in a block that holds no box; kNullIndex if there is none.
   std::uint32_t empty_place(std::uint32_t block) const;
   TreeView view(std::size_t layer) const;
 
@@ -61,7 +61,7 @@ struct BoxStore {
   /// A box changes where it is.
   void set(std::uint32_t place, const OrderedBox& box);
   /// The bounds above a block no longer fit. Where there is no memory to note that, all are noted.
-  void touch(std::uint32_t block);
+  void mark_dirty(std::uint32_t block);
 
   std::size_t bytes() const;
 };

@@ -68,25 +68,25 @@ void Layer::refit_above(int level, const Block* boxes) {
                  upper[level + 1].data());
 }
 
-void Layer::refit_paths(const Block* boxes, std::vector<std::uint32_t>& touched) {
+void Layer::refit_paths(const Block* boxes, std::vector<std::uint32_t>& dirty) {
   if (needs_refit_of_all) {
     refit_all(boxes);
-    touched.clear();
+    dirty.clear();
   }
-  for (int level = 0; level < top && !touched.empty(); ++level) {
+  for (int level = 0; level < top && !dirty.empty(); ++level) {
     const Block* below = blocks_below(*this, boxes, level);
     std::size_t kept = 0;
-    for (const std::uint32_t block : touched) {
+    for (const std::uint32_t block : dirty) {
       Block& parent = upper[level + 1][block >> kLaneBits];
       const Block before = parent;
       refit_blocks(below, block, block + 1, upper[level + 1].data());
       const std::uint32_t above = block >> kLaneBits;
-      const bool is_new = kept == 0 || touched[kept - 1] != above;
-      if (is_new && !same_lane(before, parent, block & (kLanes - 1))) touched[kept++] = above;
+      const bool is_new = kept == 0 || dirty[kept - 1] != above;
+      if (is_new && !same_lane(before, parent, block & (kLanes - 1))) dirty[kept++] = above;
     }
-    touched.resize(kept);
+    dirty.resize(kept);
   }
-  touched.clear();
+  dirty.clear();
 }
 
 TreeView Layer::view(const Block* boxes, const LowBlock* low, const std::uint32_t* proxy) const {
@@ -101,18 +101,18 @@ TreeView Layer::view(const Block* boxes, const LowBlock* low, const std::uint32_
 }
 
 void Layer::note_hole(std::uint32_t block) {
-  if (block + 1 < sorted_extent.size())
+  if (block + 1 < sorted_perimeter.size())
     holed[block >> kLaneBits] |= static_cast<std::uint16_t>(1u << (block & (kLanes - 1)));
 }
 
-double Layer::extent_of(std::uint32_t block) const {
-  return extent(upper[1][block >> kLaneBits], block & (kLanes - 1));
+double Layer::perimeter_of(std::uint32_t block) const {
+  return perimeter(upper[1][block >> kLaneBits], block & (kLanes - 1));
 }
 
 // Of the numbers with one high half; the first of some would be infinite.
 constexpr std::uint32_t kMiddle = 0x80000000u;
 
-double extent(const Block& block, std::uint32_t lane) {
+double perimeter(const Block& block, std::uint32_t lane) {
   if (block.row[0][lane] > block.row[3][lane]) return 0;
   double sum = 0;
   for (int c = 0; c < 3; ++c)
@@ -121,7 +121,7 @@ double extent(const Block& block, std::uint32_t lane) {
   return sum;
 }
 
-double inflation(double now, double sorted, double limit) {
+double degradation(double now, double sorted, double limit) {
   if (now <= sorted) return 0;
   const double ratio = now / sorted;  // infinite for what was a point
   return std::min(ratio * ratio * ratio - 1, limit);

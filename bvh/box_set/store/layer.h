@@ -18,7 +18,7 @@ struct Layer {
   std::uint32_t block_count = 0;
   int top = 0;
   std::vector<Block> upper[kMaxLevels];  ///< [0] stays empty
-  std::vector<float> sorted_extent;      ///< of each block when it was sorted, see extent()
+  std::vector<float> sorted_perimeter;   ///< of each block when it was sorted, see perimeter()
   std::vector<std::uint16_t> holed;      ///< by blocks of upper[1]: which blocks below have holes
   std::vector<bool> is_filled;           ///< likewise: a box came to a hole since the last refit
 
@@ -40,8 +40,8 @@ struct Layer {
     holed[block >> kLaneBits] &= static_cast<std::uint16_t>(~(1u << (block & (kLanes - 1))));
   }
 
-  /// extent() of all boxes of a block, as of the last refit.
-  double extent_of(std::uint32_t block) const;
+  /// perimeter() of all boxes of a block, as of the last refit.
+  double perimeter_of(std::uint32_t block) const;
 
   /// Bounds of all blocks on all levels.
   void refit_all(const Block* boxes);
@@ -50,17 +50,18 @@ struct Layer {
   void clear_above_boxes();
   void refit_above(int level, const Block* boxes);
 
-  /// Bounds of the blocks in `touched`, numbers within the layer, and of what lies above them. The
+  /// Bounds of the blocks in `dirty`, numbers within the layer, and of what lies above them. The
   /// list is used up.
-  void refit_paths(const Block* boxes, std::vector<std::uint32_t>& touched);
+  void refit_paths(const Block* boxes, std::vector<std::uint32_t>& dirty);
 };
 
-/// An eighth of the sum of the three extents of one lane, metres, rounded: always finite, so that
-/// ratios are numbers. 0 for an empty lane. A measure of quality: no answer depends on it.
-double extent(const Block& block, std::uint32_t lane);
+/// The perimeter of one lane's box, as b2DynamicTree has it, divided by 32, in metres and rounded:
+/// an eighth of the sum of the three edges. It is always finite, so that ratios are numbers. 0 for
+/// an empty lane. A measure of quality: no answer depends on it.
+double perimeter(const Block& block, std::uint32_t lane);
 
-/// By how much the extent of a block has grown since it was sorted: roughly how many times the
-/// blocks that it meets have become more, less one. At most `limit`.
-double inflation(double now, double sorted, double limit);
+/// The degradation of a block since it was sorted, from its perimeters now and then: roughly by how
+/// many times the blocks that it meets have become more, less one. At most `limit`.
+double degradation(double now, double sorted, double limit);
 
 }  // namespace graze::bvh

@@ -1,5 +1,6 @@
 // Which pairs of a front are due in a pass: those whose budget is spent and that no plane keeps out
-// any more; and how long the planes of the others last. Included once for each SIMD target.
+// any more; and how much motion the planes of the others outlast. Included once for each SIMD
+// target.
 
 #if defined(GRAZE_BVH_FRONT_DUE) == defined(HWY_TARGET_TOGGLE)
 #ifdef GRAZE_BVH_FRONT_DUE
@@ -36,8 +37,8 @@ struct alignas(16) DisplacementColumns {
   HWY_INLINE void set(const QueryDisplacement& displacement, float scale) {
     for (int i = 0; i < 3; ++i) {
       for (int j = 0; j < 3; ++j)
-        column[j][i] = displacement.turned[i][j] * scale;
-      column[3][i] = displacement.moved[i] * scale;
+        column[j][i] = displacement.rotation_change[i][j] * scale;
+      column[3][i] = displacement.translation_change[i] * scale;
     }
     for (auto& c : column)
       c[3] = 0;
@@ -55,24 +56,25 @@ struct alignas(16) DisplacementColumns {
   }
 };
 
-/// What planes prove of the query boxes that are tested against the nodes of one side.
-template <FrontBounds bounds>
+/// The outlook of one pass: what the planes of a front prove in its poses, of the query boxes that
+/// are tested against the nodes of one side, and how much motion these proofs outlast.
+template <FrontKind kind>
 class FrontOutlook {
  public:
   template <std::size_t lanes>
-  using Planes = FrontPlanes<lanes, bounds>;
+  using Planes = FrontPlanes<lanes, kind>;
 
   HWY_INLINE void set(const WideFront::Pass& pass, int tested_side) {
     const QueryDisplacement& since = pass.since[tested_side];
     since_.set(since, Planes<1>::kUnit);
-    turn_ = since.turn;
+    rotation_sum_ = since.rotation_sum;
     error_ = since.error;
     is_predicted_ = pass.deviation < 1;
     const QueryDisplacement& prediction = pass.predicted[tested_side];
     prediction_.set(prediction, -pass.per_distance * Planes<1>::kUnit);
     deviation_ = pass.deviation;
-    turning_ = prediction.turn * pass.per_distance * kRoundUp;
-    least_spent_ = 2 * prediction.error * pass.per_distance * kRoundUp + pass.deviation;
+    rate_by_radius_ = prediction.rotation_sum * pass.per_distance * kRoundUp;
+    rate_of_errors_ = 2 * prediction.error * pass.per_distance * kRoundUp + pass.deviation;
   }
 
   /// The least of the gaps that planes prove now.
@@ -87,24 +89,24 @@ class FrontOutlook {
     return hn::GetLane(hn::MinOfLanes(tag, least)) * kRoundPlanes;
   }
 
-  /// How long all of these are more than 0, by the motion spent (front_planes.h).
+  /// How much motion may still be spent while all of these gaps stay above 0 (front_planes.h).
   template <std::size_t lanes>
-  HWY_INLINE float lasts(const Planes<lanes>& planes) const {
+  HWY_INLINE float motion_left(const Planes<lanes>& planes) const {
     if (!is_predicted_) return gap(planes);
     const hn::CappedTag<float, lanes> tag;
-    const auto spending = spending_of(tag, planes.query);
+    const auto closing_rate = closing_rate_of(tag, planes.ball);
     auto least = hn::Set(tag, std::numeric_limits<float>::infinity());
     for (std::size_t lane = 0; lane < lanes; lane += hn::Lanes(tag)) {
       hn::Vec<decltype(tag)> normal[3];
       const auto gap = gaps(tag, planes, lane, normal);
-      least = hn::Min(least, spending.lasts(gap, normal));
+      least = hn::Min(least, closing_rate.motion_left(gap, normal));
     }
     return hn::GetLane(hn::MinOfLanes(tag, least)) * kRoundPlanes;
   }
 
   struct Nearness {
     std::uint32_t near;  ///< the lanes that are within the limit
-    float lasts;         ///< how long the gaps of the other lanes last
+    float motion_left;   ///< the motion that the gaps of the other lanes outlast
   };
 
   /// Stores the planes that were found for these lanes, with their gaps in the pose at begin().
@@ -113,9 +115,9 @@ class FrontOutlook {
                            std::uint32_t asked, float limit) const {
     const hn::CappedTag<float, lanes> tag;
     float displaced[4] = {};
-    since_.move(planes.query.centre, displaced);
-    const auto gained = hn::Set(tag, planes.query.radius() * turn_ * kRoundPlanes - error_);
-    const auto spending = spending_of(tag, planes.query);
+    since_.move(planes.ball.centre, displaced);
+    const auto gained = hn::Set(tag, planes.ball.radius() * rotation_sum_ * kRoundPlanes - error_);
+    const auto closing_rate = closing_rate_of(tag, planes.ball);
     std::uint32_t near = 0;
     auto least = hn::Set(tag, std::numeric_limits<float>::infinity());
     for (std::size_t lane = 0; lane < lanes; lane += hn::Lanes(tag)) {
@@ -132,8 +134,8 @@ class FrontOutlook {
         normal[i] = hn::Load(tag, found.normal[i] + lane);
         stored = hn::NegMulAdd(normal[i], hn::Set(tag, displaced[i]), stored);
       }
-      const auto lasts = is_predicted_ ? spending.lasts(stored_gap, normal) : gap;
-      least = hn::Min(least, hn::IfThenElse(is_kept, lasts, least));
+      const auto motion_left = is_predicted_ ? closing_rate.motion_left(stored_gap, normal) : gap;
+      least = hn::Min(least, hn::IfThenElse(is_kept, motion_left, least));
       near |= bits_of(tag, hn::AndNot(is_far, is_asked)) << lane;
       const auto never = hn::Set(tag, std::numeric_limits<float>::infinity());
       hn::Store(hn::IfThenElse(is_kept, hn::Add(stored, gained), never), tag, planes.gap + lane);
@@ -142,36 +144,36 @@ class FrontOutlook {
   }
 
  private:
-  /// How gaps of a query box are used up on its predicted motion, for each unit of the motion
-  /// spent.
+  /// How fast gaps of a query box close on its predicted motion: by so much at most for each unit
+  /// of the motion spent.
   template <typename AnyTag>
-  struct Spending {
+  struct ClosingRate {
     using Values = hn::Vec<AnyTag>;
 
-    Values back[3];  ///< how far the middle of the query box goes
-    Values all;      ///< what turns and rounding cost along any direction
-    Values least;    ///< what the deviation from the predicted motion costs
+    Values back[3];  ///< of the middle of the query box, against each axis
+    Values all;      ///< of rotation and of rounding, along any direction
+    Values least;    ///< of the deviation from the predicted motion
 
-    HWY_INLINE Values lasts(Values gap, const Values (&normal)[3]) const {
-      auto spent = hn::MulAdd(normal[0], back[0], all);
-      spent = hn::MulAdd(normal[1], back[1], spent);
-      spent = hn::MulAdd(normal[2], back[2], spent);
-      spent = hn::Min(hn::Max(spent, least), hn::Set(AnyTag(), 1.0f));
-      return hn::Mul(
-          gap, hn::Mul(hn::ApproximateReciprocal(spent), hn::Set(AnyTag(), kReciprocalError)));
+    HWY_INLINE Values motion_left(Values gap, const Values (&normal)[3]) const {
+      auto rate = hn::MulAdd(normal[0], back[0], all);
+      rate = hn::MulAdd(normal[1], back[1], rate);
+      rate = hn::MulAdd(normal[2], back[2], rate);
+      rate = hn::Min(hn::Max(rate, least), hn::Set(AnyTag(), 1.0f));
+      return hn::Mul(gap,
+                     hn::Mul(hn::ApproximateReciprocal(rate), hn::Set(AnyTag(), kReciprocalError)));
     }
   };
 
   template <typename AnyTag>
-  HWY_INLINE Spending<AnyTag> spending_of(AnyTag tag, const FrontQuery& query) const {
+  HWY_INLINE ClosingRate<AnyTag> closing_rate_of(AnyTag tag, const QueryBall& query) const {
     float displaced[4] = {};
     prediction_.move(query.centre, displaced);
-    Spending<AnyTag> spending;
+    ClosingRate<AnyTag> closing_rate;
     for (int i = 0; i < 3; ++i)
-      spending.back[i] = hn::Set(tag, displaced[i]);
-    spending.all = hn::Set(tag, query.radius() * turning_ + least_spent_);
-    spending.least = hn::Set(tag, deviation_);
-    return spending;
+      closing_rate.back[i] = hn::Set(tag, displaced[i]);
+    closing_rate.all = hn::Set(tag, query.radius() * rate_by_radius_ + rate_of_errors_);
+    closing_rate.least = hn::Set(tag, deviation_);
+    return closing_rate;
   }
 
   /// Reads the normals, too.
@@ -179,9 +181,9 @@ class FrontOutlook {
   HWY_INLINE hn::Vec<AnyTag> gaps(AnyTag tag, const Planes<lanes>& planes, std::size_t lane,
                                   hn::Vec<AnyTag> (&normal)[3]) const {
     float displaced[4] = {};
-    since_.move(planes.query.centre, displaced);
-    const float lost = planes.query.radius() * turn_ * (1 / kRoundPlanes) + error_;
-    auto gap = hn::Sub(PlaneStore<bounds>::read(tag, planes, lane, normal), hn::Set(tag, lost));
+    since_.move(planes.ball.centre, displaced);
+    const float lost = planes.ball.radius() * rotation_sum_ * (1 / kRoundPlanes) + error_;
+    auto gap = hn::Sub(PlaneStore<kind>::read(tag, planes, lane, normal), hn::Set(tag, lost));
     for (int i = 0; i < 3; ++i)
       gap = hn::MulAdd(normal[i], hn::Set(tag, displaced[i]), gap);
     return gap;
@@ -189,15 +191,15 @@ class FrontOutlook {
 
   DisplacementColumns since_;
   DisplacementColumns prediction_;
-  float turn_;
+  float rotation_sum_;
   float error_;
   float deviation_;
-  float turning_;      ///< motion that a pair spends by turning, for each unit of its radius
-  float least_spent_;  ///< motion that every pair spends: what the prediction is off by
+  float rate_by_radius_;  ///< of closing by rotation, for each unit of a query box's radius
+  float rate_of_errors_;  ///< of closing by what the prediction is off by
   bool is_predicted_;
 };
 
-/// The budgets of pairs that a pass looks at in any case, or does not look at by their budgets.
+/// The budget of a pair that a pass must look at, and of one that no motion makes due.
 inline constexpr float kAtOnce = -std::numeric_limits<float>::infinity();
 inline constexpr float kNever = std::numeric_limits<float>::infinity();
 
@@ -212,31 +214,30 @@ HWY_INLINE float chosen(std::uint32_t is_first, float first, float second) {
   return std::bit_cast<float>(other ^ (change & (0 - is_first)));
 }
 
-HWY_INLINE WideFront::Planes<FrontBounds::Intersection>& planes_of(
-    WideFront::State& state,
-    std::integral_constant<FrontBounds, FrontBounds::Intersection> /*of*/) {
+HWY_INLINE WideFront::Planes<FrontKind::Intersection>& planes_of(
+    WideFront::State& state, std::integral_constant<FrontKind, FrontKind::Intersection> /*of*/) {
   return state.intersection;
 }
-HWY_INLINE WideFront::Planes<FrontBounds::Distance>& planes_of(
-    WideFront::State& state, std::integral_constant<FrontBounds, FrontBounds::Distance> /*of*/) {
+HWY_INLINE WideFront::Planes<FrontKind::Distance>& planes_of(
+    WideFront::State& state, std::integral_constant<FrontKind, FrontKind::Distance> /*of*/) {
   return state.distance;
 }
 
-/// Which pairs of a front are due in a pass, and how long what keeps the others out lasts.
-template <FrontBounds bounds>
+/// Which pairs of a front are due in a pass, and new budgets for the others.
+template <FrontKind kind>
 class FrontDue {
  protected:
-  using VisitPlanes = FrontPlanes<WideNode::kWidth, bounds>;
-  using LeafPlanes = FrontPlanes<kLeafPairs, bounds>;
-  using Outlook = FrontOutlook<bounds>;
+  using VisitPlanes = FrontPlanes<WideNode::kWidth, kind>;
+  using LeafPlanes = FrontPlanes<kLeafPairs, kind>;
+  using Outlook = FrontOutlook<kind>;
 
   FrontDue(WideFront::State& state, const WideFront::Pass& pass, const FrontTask& task)
       : state_(state),
-        planes_(planes_of(state, std::integral_constant<FrontBounds, bounds>())),
+        planes_(planes_of(state, std::integral_constant<FrontKind, kind>())),
         pass_(pass),
-        must_(task.must),
+        required_(task.required),
         look_ahead_(task.look_ahead),
-        moved_(static_cast<float>(pass.moved) * kRoundDown) {
+        spent_(static_cast<float>(pass.spent) * kRoundDown) {
     for (int side = 0; side < 2; ++side)
       outlook_[side].set(pass, side);
   }
@@ -249,19 +250,19 @@ class FrontDue {
                                     std::vector<float>& budgets) const {
     const std::size_t size = list_due(budgets);
     std::uint32_t* const due = state_.due.data();
-    std::size_t open = 0;
+    std::size_t due_count = 0;
     for (std::size_t i = 0; i < size; ++i) {
       fetch(planes[due[std::min(i + kPlanesAhead, size - 1)]]);
       const std::uint32_t index = due[i];
       const float later =
-          budget_after(outlook_[planes[index].query.tested_side].lasts(planes[index]));
+          budget_after(outlook_[planes[index].ball.tested_side].motion_left(planes[index]));
       // NaN compares false, so that it is due. A budget beyond `spent` implies a gap above `limit`.
       const std::uint32_t kept = later > look_ahead_.spent;
       budgets[index] = chosen(kept, later, budgets[index]);
-      due[open] = index;
-      open += 1 - kept;
+      due[due_count] = index;
+      due_count += 1 - kept;
     }
-    return open;
+    return due_count;
   }
 
   template <typename Object>
@@ -294,9 +295,9 @@ class FrontDue {
     return count;
   }
 
-  float budget_after(float lasts) const {
+  float budget_after(float motion_left) const {
     // Rounded down: the sum is not negative where it matters.
-    return (moved_ + lasts) * kRoundDown;
+    return (spent_ + motion_left) * kRoundDown;
   }
 
   HWY_INLINE static float least_of(const std::vector<float>& budgets) {
@@ -313,11 +314,11 @@ class FrontDue {
   }
 
   WideFront::State& state_;
-  WideFront::Planes<bounds>& planes_;
+  WideFront::Planes<kind>& planes_;
   const WideFront::Pass& pass_;
-  FrontHorizon must_;
+  FrontHorizon required_;
   FrontHorizon look_ahead_;
-  float moved_;         ///< the motion spent, rounded down
+  float spent_;         ///< the motion spent, rounded down
   Outlook outlook_[2];  ///< by the side of the tested node
 };
 

@@ -53,21 +53,21 @@ class PrimitiveGaps {
       const Values farthest = hn::Sub(hn::Max(high, tested_high), hn::Min(low, tested_low));
       squared_distance_ = hn::MulAdd(farthest, farthest, squared_distance_);
     }
-    best_.offer_sum(square, apart);
+    best_.consider_sum(square, apart);
   }
 
   /// The planes and cross products that tell primitives apart.
   HWY_INLINE void look_at(const LeafCrossings<AnyTag>& crossings) {
     const AnyTag tag;
-    offer(crossings.is_query_beyond, crossings.query_sides.beyond, crossings.normals.tested,
-          crossings.query_sides.is_negative[0]);
+    consider(crossings.is_query_beyond, crossings.query_sides.beyond, crossings.normals.tested,
+             crossings.query_sides.is_negative[0]);
     // What is above a query box has the query box below it.
-    offer(crossings.is_tested_beyond, crossings.tested_sides.beyond, crossings.normals.query,
-          hn::Not(crossings.tested_sides.is_negative[0]));
+    consider(crossings.is_tested_beyond, crossings.tested_sides.beyond, crossings.normals.query,
+             hn::Not(crossings.tested_sides.is_negative[0]));
     const Values margin = crossings.errors.of_sides();
     for (int k = 0; k < 2; ++k) {
-      offer(crossings.is_cut, hn::Sub(crossings.cuts.gap[k], margin), crossings.cuts.across[k],
-            hn::Lt(crossings.cuts.height[k], hn::Zero(tag)));
+      consider(crossings.is_cut, hn::Sub(crossings.cuts.gap[k], margin), crossings.cuts.across[k],
+               hn::Lt(crossings.cuts.height[k], hn::Zero(tag)));
     }
   }
 
@@ -97,7 +97,7 @@ class PrimitiveGaps {
           f[i] = hn::Sub(query[(g + 1) % 3][i], query[g][i]);
         }
         set_cross(tag, e, f, normal);
-        offer_between(tested, query, normal, bound);
+        consider_between(tested, query, normal, bound);
       }
     }
   }
@@ -122,23 +122,23 @@ class PrimitiveGaps {
     const Values gap = hn::Sub(hn::Sub(start, end), hn::Set(tag, 8 * error_));
     const Values normal[3] = {hn::Set(tag, direction[0]), hn::Set(tag, direction[1]),
                               hn::Set(tag, direction[2])};
-    best_.offer(known(tag, gap), hn::Set(tag, 1.0f), normal);
+    best_.consider(known(tag, gap), hn::Set(tag, 1.0f), normal);
   }
 
   /// As in BoxGaps, from `lane` on.
-  template <FrontBounds bounds>
-  HWY_INLINE void store(FrontPlanes<kLeafPairs, bounds>& planes, FoundPlanes<kLeafPairs>& found,
+  template <FrontKind kind>
+  HWY_INLINE void store(FrontPlanes<kLeafPairs, kind>& planes, FoundPlanes<kLeafPairs>& found,
                         std::size_t lane, float unit_of_tested) const {
     Values normal[3];
-    const Values gap = PlaneStore<bounds>::best_of(best_, normal);
-    PlaneStore<bounds>::write(AnyTag(), planes, found, lane, gap, normal, squared_distance_,
-                              unit_of_tested);
+    const Values gap = PlaneStore<kind>::best_of(best_, normal);
+    PlaneStore<kind>::write(AnyTag(), planes, found, lane, gap, normal, squared_distance_,
+                            unit_of_tested);
   }
 
  private:
   /// Which of the triangles is beyond the other along this vector, or against it.
-  HWY_INLINE void offer_between(const Values (&tested)[3][3], const Values (&query)[3][3],
-                                const Values (&n)[3], Values bound) {
+  HWY_INLINE void consider_between(const Values (&tested)[3][3], const Values (&query)[3][3],
+                                   const Values (&n)[3], Values bound) {
     const AnyTag tag;
     Values low[2], high[2];
     set_range(n, tested, low[0], high[0]);
@@ -147,7 +147,7 @@ class PrimitiveGaps {
     const Values below = hn::Sub(low[0], high[1]);
     const Values gap = hn::Sub(hn::NegMulAdd(one_norm(tag, n), bound, hn::Max(above, below)),
                                hn::Set(tag, kWideUnderflow));
-    offer(hn::Gt(gap, hn::Zero(tag)), gap, n, hn::Gt(below, above));
+    consider(hn::Gt(gap, hn::Zero(tag)), gap, n, hn::Gt(below, above));
   }
 
   HWY_INLINE static void set_range(const Values (&n)[3], const Values (&corners)[3][3], Values& low,
@@ -160,12 +160,12 @@ class PrimitiveGaps {
     high = hn::Max(hn::Max(a, b), c);
   }
 
-  HWY_INLINE void offer(hn::Mask<AnyTag> is_any, Values gap, const Values (&n)[3],
-                        hn::Mask<AnyTag> is_back) {
+  HWY_INLINE void consider(hn::Mask<AnyTag> is_any, Values gap, const Values (&n)[3],
+                           hn::Mask<AnyTag> is_back) {
     const AnyTag tag;
     const auto turned = [&](Values v) HWY_ATTR { return hn::IfThenElse(is_back, hn::Neg(v), v); };
     const Values normal[3] = {turned(n[0]), turned(n[1]), turned(n[2])};
-    best_.offer_along(hn::IfThenElseZero(is_any, known(tag, gap)), normal);
+    best_.consider_along(hn::IfThenElseZero(is_any, known(tag, gap)), normal);
   }
 
   const LocalPairs<AnyTag>& pairs_;
@@ -176,17 +176,17 @@ class PrimitiveGaps {
 
 /// What a pass does with the leaves of a front: it finds which of their primitives meet, or are
 /// near, and planes that keep the others apart.
-template <FrontBounds bounds>
-class FrontLeaves : protected FrontDue<bounds> {
+template <FrontKind kind>
+class FrontLeaves : protected FrontDue<kind> {
  protected:
-  using Base = FrontDue<bounds>;
+  using Base = FrontDue<kind>;
   using Base::budget_after;
   using Base::fetch;
   using Base::find_due;
-  using Base::must_;
   using Base::outlook_;
   using Base::pass_;
   using Base::planes_;
+  using Base::required_;
   using Base::state_;
   using typename Base::LeafPlanes;
   using typename Base::Outlook;
@@ -221,7 +221,7 @@ class FrontLeaves : protected FrontDue<bounds> {
     state_.unsure.make_room(size);
     if (state_.due.size() < size) state_.due.resize(2 * size);
     std::size_t busy = 0;
-    std::size_t quiet = 0;
+    std::size_t idle = 0;
     for (std::size_t i = 0; i < size; ++i) {
       if (i + 2 * kAhead < size) fetch(state_.leaves[state_.busy[i + 2 * kAhead]]);
       if (i + kAhead < size) fetch_leaves(state_.busy[i + kAhead]);
@@ -234,14 +234,14 @@ class FrontLeaves : protected FrontDue<bounds> {
         const LocalPairs<PairTag> pairs(leaves_, first);
         found.add(LeafCrossings<PairTag>(pairs, leaves_.errors().of_pairs(tag)), first);
       }
-      const std::uint32_t open = list(index, asked, found);
+      const std::uint32_t not_apart = list(index, asked, found);
       state_.busy[busy] = index;
-      state_.due[quiet] = index;
-      busy += open != 0;
-      quiet += open == 0;
+      state_.due[idle] = index;
+      busy += not_apart != 0;
+      idle += not_apart == 0;
     }
     state_.busy.resize(busy);
-    return quiet;
+    return idle;
   }
 
   /// Finds planes between the primitives of the first `count` leaves of state_.due. Those with
@@ -271,16 +271,16 @@ class FrontLeaves : protected FrontDue<bounds> {
         met.add(crossings, first);
         PrimitiveGaps<PairTag> found(pairs, leaves_.errors().offset);
         found.look_at(crossings);
-        const auto is_open = hn::Not(hn::Or(found.are_apart(), crossings.do_cross));
-        if ((bits_of(tag, is_open) & asked >> first) != 0) found.look_across();
+        const auto is_undecided = hn::Not(hn::Or(found.are_apart(), crossings.do_cross));
+        if ((bits_of(tag, is_undecided) & asked >> first) != 0) found.look_across();
         found.store(planes, gaps, first, pass_.units[leaves.tested_side]);
       }
       const typename Outlook::Nearness found =
-          outlook_[leaves.tested_side].keep(planes, gaps, asked, must_.limit);
+          outlook_[leaves.tested_side].keep(planes, gaps, asked, required_.limit);
       // What planes keep apart does not meet, be it unsure or not.
       list(index, found.near, met);
       const std::uint32_t is_busy = found.near != 0;
-      state_.leaves_budgets[index] = chosen(is_busy, kNever, budget_after(found.lasts));
+      state_.leaves_budgets[index] = chosen(is_busy, kNever, budget_after(found.motion_left));
       state_.busy[busy] = index;
       busy += is_busy;
     }
@@ -334,10 +334,11 @@ class FrontLeaves : protected FrontDue<bounds> {
 
   /// Lists those pairs of leaves_ that cross or may cross, and returns their bits.
   HWY_INLINE std::uint32_t list(std::uint32_t index, std::uint32_t asked, const Meetings& found) {
-    const std::uint32_t open = asked & ~found.apart;
-    add_lanes(state_.crossing, index, open & found.crossing);
-    if ((open & ~found.crossing) != 0) add_lanes(state_.unsure, index, open & ~found.crossing);
-    return open;
+    const std::uint32_t not_apart = asked & ~found.apart;
+    add_lanes(state_.crossing, index, not_apart & found.crossing);
+    if ((not_apart & ~found.crossing) != 0)
+      add_lanes(state_.unsure, index, not_apart & ~found.crossing);
+    return not_apart;
   }
 
   HWY_INLINE void compare_leaves(std::size_t index) {
@@ -356,15 +357,15 @@ class FrontLeaves : protected FrontDue<bounds> {
       found.store(planes, gaps, first, pass_.units[leaves.tested_side]);
     }
     const typename Outlook::Nearness found =
-        outlook_[leaves.tested_side].keep(planes, gaps, asked, must_.limit);
-    state_.leaves_budgets[index] = budget_after(found.lasts);
+        outlook_[leaves.tested_side].keep(planes, gaps, asked, required_.limit);
+    state_.leaves_budgets[index] = budget_after(found.motion_left);
     leaves.listed |= found.near;
     for (std::uint32_t near = found.near; near != 0; near &= near - 1) {
       const auto lane = static_cast<std::uint32_t>(std::countr_zero(near));
-      state_.candidates.push_back(static_cast<std::uint32_t>(kLeafPairs * index) + lane);
+      state_.near_pairs.push_back(static_cast<std::uint32_t>(kLeafPairs * index) + lane);
     }
-    state_.candidate_budgets.resize(state_.candidates.size(), kAtOnce);
-    state_.candidate_planes.resize(state_.candidates.size());
+    state_.near_pair_budgets.resize(state_.near_pairs.size(), kAtOnce);
+    state_.near_pair_planes.resize(state_.near_pairs.size());
   }
 
   LocalLeaves leaves_;

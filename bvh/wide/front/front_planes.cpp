@@ -14,25 +14,25 @@ constexpr double kLargest = 0x1p60;
 }  // namespace
 
 QueryDisplacement::QueryDisplacement(const RelativeFrame& first, const RelativeFrame& now,
-                                     const WideTree& query, double all_turns)
-    : turn(static_cast<float>(all_turns)) {
+                                     const WideTree& query, double all_changes)
+    : rotation_sum(static_cast<float>(all_changes)) {
   const FloatBox& box = query.box();
   double sizes = 0;
   for (int i = 0; i < 3; ++i) {
     const double came = now.translation[i] - first.translation[i];
-    moved[i] = static_cast<float>(came);
+    translation_change[i] = static_cast<float>(came);
     sizes += std::abs(came);
     for (int j = 0; j < 3; ++j) {
       const double change = now.rotation[i][j] - first.rotation[i][j];
-      turned[i][j] = static_cast<float>(change);
+      rotation_change[i][j] = static_cast<float>(change);
       const float largest = std::max(std::abs(box.min[j]), std::abs(box.max[j]));
       sizes += std::abs(change) * static_cast<double>(largest) * now.units_b;
     }
   }
   if (!(sizes < kLargest)) {
     // Nothing is known, in numbers that stay finite.
-    std::fill_n(&turned[0][0], 9, 0.0f);
-    std::fill_n(moved, 3, 0.0f);
+    std::fill_n(&rotation_change[0][0], 9, 0.0f);
+    std::fill_n(translation_change, 3, 0.0f);
     error = 0x1p120f;
     return;
   }
@@ -43,26 +43,26 @@ QueryDisplacement::QueryDisplacement(const RelativeFrame& first, const RelativeF
 
 MotionPrediction::MotionPrediction(const RelativeFrame (&before)[2], const RelativeFrame (&now)[2],
                                    const WideTree& tree_a, const WideTree& tree_b, double distance,
-                                   double turn)
-    : displacement_{QueryDisplacement(before[0], now[0], tree_b, turn),
-                    QueryDisplacement(before[1], now[1], tree_a, turn)},
+                                   double rotation_change)
+    : displacement_{QueryDisplacement(before[0], now[0], tree_b, rotation_change),
+                    QueryDisplacement(before[1], now[1], tree_a, rotation_change)},
       distance_(distance) {
   const WideTree* const trees[2] = {&tree_b, &tree_a};
   for (int side = 0; side < 2; ++side) {
     const FloatBox& box = trees[side]->box();
     const double unit = now[side].units_b;
     for (int i = 0; i < 3; ++i) {
-      query_[side].middle[i] = (0.5 * box.min[i] + 0.5 * box.max[i]) * unit;
-      query_[side].half[i] = (0.5 * box.max[i] - 0.5 * box.min[i]) * unit;
-      query_[side].translation[i] = now[side].translation[i] - before[side].translation[i];
+      query_trees_[side].middle[i] = (0.5 * box.min[i] + 0.5 * box.max[i]) * unit;
+      query_trees_[side].half[i] = (0.5 * box.max[i] - 0.5 * box.min[i]) * unit;
+      query_trees_[side].translation[i] = now[side].translation[i] - before[side].translation[i];
       for (int j = 0; j < 3; ++j)
-        query_[side].rotation[i][j] = now[side].rotation[i][j] - before[side].rotation[i][j];
+        query_trees_[side].rotation[i][j] = now[side].rotation[i][j] - before[side].rotation[i][j];
     }
   }
 }
 
-double MotionPrediction::Query::deviation(const RelativeFrame& before, const RelativeFrame& now,
-                                          double share) const {
+double MotionPrediction::QueryTree::deviation(const RelativeFrame& before, const RelativeFrame& now,
+                                              double share) const {
   double off[3];
   double sizes = 0;
   double turned = 0;
@@ -91,11 +91,11 @@ double MotionPrediction::Query::deviation(const RelativeFrame& before, const Rel
 double MotionPrediction::deviation(const RelativeFrame (&before)[2], const RelativeFrame (&now)[2],
                                    double distance) const {
   const double share = distance / distance_;
-  return std::max(query_[0].deviation(before[0], now[0], share),
-                  query_[1].deviation(before[1], now[1], share));
+  return std::max(query_trees_[0].deviation(before[0], now[0], share),
+                  query_trees_[1].deviation(before[1], now[1], share));
 }
 
-FrontQuery::FrontQuery(const WideChildRef& child, float units, int side_of_tested)
+QueryBall::QueryBall(const WideChildRef& child, float units, int side_of_tested)
     : tested_side(static_cast<std::uint16_t>(side_of_tested)) {
   const WideNode& node = *child.node;
   const std::uint32_t lane = child.lane;
@@ -121,7 +121,7 @@ FrontQuery::FrontQuery(const WideChildRef& child, float units, int side_of_teste
       static_cast<std::uint16_t>((std::bit_cast<std::uint32_t>(radius) + kLowerHalf) >> 16);
 }
 
-FrontPlane::FrontPlane(const double (&direction)[3], double gap_now, const FrontQuery& query,
+FrontPlane::FrontPlane(const double (&direction)[3], double gap_now, const QueryBall& query,
                        const QueryDisplacement& displacement) {
   float displaced[3];
   set_displacement(displaced, query, displacement);
@@ -130,17 +130,18 @@ FrontPlane::FrontPlane(const double (&direction)[3], double gap_now, const Front
     normal[i] = static_cast<float>(direction[i]);
     kept -= static_cast<double>(normal[i]) * static_cast<double>(displaced[i]);
   }
-  kept +=
-      static_cast<double>(query.radius()) * static_cast<double>(displacement.turn * kRoundPlanes);
+  kept += static_cast<double>(query.radius()) *
+          static_cast<double>(displacement.rotation_sum * kRoundPlanes);
   gap = rounded_down(kept - static_cast<double>(displacement.error));
 }
 
-float FrontPlane::gap_after(const FrontQuery& query, const QueryDisplacement& displacement) const {
+float FrontPlane::gap_after(const QueryBall& query, const QueryDisplacement& displacement) const {
   float displaced[3];
   set_displacement(displaced, query, displacement);
   const float along =
       gap + normal[0] * displaced[0] + normal[1] * displaced[1] + normal[2] * displaced[2];
-  return (along - (query.radius() * displacement.turn * (1 / kRoundPlanes) + displacement.error)) *
+  return (along -
+          (query.radius() * displacement.rotation_sum * (1 / kRoundPlanes) + displacement.error)) *
          kRoundPlanes;
 }
 

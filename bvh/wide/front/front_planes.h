@@ -26,29 +26,29 @@
 // motion, in which B came as far as D, each point b of a query box was displaced by U(b), and that
 // B comes as far as w from there on. Then b is displaced by (w / D) U(b), and lies no further from
 // there than what all motions have deviated from the prediction in all. So in a ball of radius r
-// around c a gap g along n lasts as long as
-//   w (r |turn| - n . U(c)) / D + deviation < g,
+// around c a gap g along n stays above 0 as long as
+//   w (r |change of rotation| - n . U(c)) / D + deviation < g,
 // whatever the motion does. The motion spent grows as fast as the larger of w and deviation /
 // kDeviation, so that the deviation never exceeds kDeviation times the motion spent. Hence the gap
-// lasts until the motion spent has grown by
-//   g / (kDeviation + (r |turn| - n . U(c)) / D),
+// stays above 0 until the motion spent has grown by
+//   g / (kDeviation + (r |change of rotation| - n . U(c)) / D),
 // where the second term is at least 0 and the sum at most 1, because no point comes further than w.
 
 namespace graze::bvh {
 
 /// How the points of query boxes are displaced between two poses, in the frame of the tested nodes'
-/// tree: b by turned * b + moved, in common units.
+/// tree: b by rotation_change * b + translation_change, in common units.
 struct QueryDisplacement {
-  float turned[3][3] = {};  ///< the change of the rotation
-  float moved[3] = {};      ///< the change of the translation
-  float turn = 0;           ///< the sum of all changes of the rotation on the way, as lengths
-  float error = 0;          ///< of n . u for any point of the query boxes' tree, whatever rounds
+  float rotation_change[3][3] = {};  ///< the change of the rotation
+  float translation_change[3] = {};  ///< the change of the translation
+  float rotation_sum = 0;  ///< the sum of all changes of the rotation on the way, as lengths
+  float error = 0;         ///< of n . u for any point of the query boxes' tree, whatever rounds
 
   QueryDisplacement() = default;
 
   /// From `first` to `now`, which are frames of the tree `query` in that of the tested nodes.
   QueryDisplacement(const RelativeFrame& first, const RelativeFrame& now, const WideTree& query,
-                    double all_turns);
+                    double all_changes);
 };
 
 /// How far a query box may deviate from its predicted motion, for each unit of the motion spent.
@@ -60,9 +60,10 @@ class MotionPrediction {
   MotionPrediction() = default;
 
   /// As they came from one pair of frames, of B in A and of A in B, to another, while no point of B
-  /// came further than `distance` and its rotation changed by `turn`.
+  /// came further than `distance` and its rotation changed by `rotation_change`.
   MotionPrediction(const RelativeFrame (&before)[2], const RelativeFrame (&now)[2],
-                   const WideTree& tree_a, const WideTree& tree_b, double distance, double turn);
+                   const WideTree& tree_a, const WideTree& tree_b, double distance,
+                   double rotation_change);
 
   /// The most by which any point of either query box deviated from the prediction between these
   /// frames, while B came as far as `distance`.
@@ -76,7 +77,7 @@ class MotionPrediction {
   float per_distance() const { return static_cast<float>(1 / distance_); }
 
  private:
-  struct Query {
+  struct QueryTree {
     double rotation[3][3] = {};  ///< the change of it that is predicted
     double translation[3] = {};  ///< likewise
     double middle[3] = {};       ///< of the box of everything, common units
@@ -85,19 +86,19 @@ class MotionPrediction {
     double deviation(const RelativeFrame& before, const RelativeFrame& now, double share) const;
   };
 
-  Query query_[2];                     ///< by the side of the tested node
+  QueryTree query_trees_[2];           ///< by the side of the tested node
   QueryDisplacement displacement_[2];  ///< likewise
   double distance_ = 1;                ///< by which B came with it
 };
 
-/// A ball around what a query box holds, in the frame of its own tree and in common units.
-struct FrontQuery {
+/// The ball around a query box, in the frame of its own tree and in common units.
+struct QueryBall {
   float centre[3];
   std::uint16_t upper_radius;  ///< the upper half of a float, rounded up
   std::uint16_t tested_side;   ///< the side of the node that it is tested against
 
-  FrontQuery() = default;
-  FrontQuery(const WideChildRef& child, float units, int side_of_tested);
+  QueryBall() = default;
+  QueryBall(const WideChildRef& child, float units, int side_of_tested);
 
   float radius() const { return std::bit_cast<float>(std::uint32_t{upper_radius} << 16); }
 };
@@ -110,12 +111,13 @@ inline constexpr float kRoundPlanes = 1 - 0x1p-20f;
 inline constexpr float kRoundDown = 1 - 0x1p-22f;
 
 /// How far the middle of a query box has come since begin().
-inline void set_displacement(float (&displaced)[3], const FrontQuery& query,
+inline void set_displacement(float (&displaced)[3], const QueryBall& query,
                              const QueryDisplacement& displacement) {
   for (int i = 0; i < 3; ++i) {
-    displaced[i] = displacement.turned[i][0] * query.centre[0] +
-                   displacement.turned[i][1] * query.centre[1] +
-                   displacement.turned[i][2] * query.centre[2] + displacement.moved[i];
+    displaced[i] = displacement.rotation_change[i][0] * query.centre[0] +
+                   displacement.rotation_change[i][1] * query.centre[1] +
+                   displacement.rotation_change[i][2] * query.centre[2] +
+                   displacement.translation_change[i];
   }
 }
 
@@ -127,36 +129,36 @@ struct FrontPlane {
   FrontPlane() = default;
 
   /// The query box is `gap_now` beyond the tested node, after this displacement.
-  FrontPlane(const double (&direction)[3], double gap_now, const FrontQuery& query,
+  FrontPlane(const double (&direction)[3], double gap_now, const QueryBall& query,
              const QueryDisplacement& displacement);
 
   /// The least gap along the normal after another displacement.
-  float gap_after(const FrontQuery& query, const QueryDisplacement& displacement) const;
+  float gap_after(const QueryBall& query, const QueryDisplacement& displacement) const;
 };
 
-/// What the bounds of a front are good at: telling that things are apart at all, or how far.
-enum class FrontBounds { Intersection, Distance };
+/// What a front is for: its planes prove that pairs are apart at all, or also how far.
+enum class FrontKind { Intersection, Distance };
 
 /// What keeps pairs out: lane by lane a direction in the tested node's frame, no longer than 1 but
 /// for rounding, which kRoundPlanes covers, and how far beyond the tested node a query box is
 /// along it. Gaps are those of the pose at begin(), but for what turning may have cost; infinite in
 /// lanes that need no plane. Nothing is kept out at first.
-template <std::size_t lanes, FrontBounds bounds>
+template <std::size_t lanes, FrontKind kind>
 struct FrontPlanes;
 
 /// A pass reads thousands of these, in no order, so that they had better be few cache lines.
 /// Components of normals are whole numbers of kUnit, in 16 bits. A normal is made kLength units
 /// long before it is rounded, a little less than 1, so that afterwards none is longer than 1.
 template <std::size_t lanes>
-struct alignas(4 * lanes) FrontPlanes<lanes, FrontBounds::Intersection> {
+struct alignas(4 * lanes) FrontPlanes<lanes, FrontKind::Intersection> {
   static constexpr float kUnit = 0x1p-15f;
   static constexpr float kLength = 0x1p15f - 2;
 
   float gap[lanes];
   std::int16_t normal[3][lanes];
-  FrontQuery query;
+  QueryBall ball;
 
-  FrontPlanes() : normal{}, query{} {
+  FrontPlanes() : normal{}, ball{} {
     std::fill_n(gap, lanes, -std::numeric_limits<float>::infinity());
   }
 };
@@ -164,14 +166,14 @@ struct alignas(4 * lanes) FrontPlanes<lanes, FrontBounds::Intersection> {
 /// The nearest pair is looked for among pairs that are nearly as far apart, so that rounding must
 /// cost far less than a thousandth of a gap: normals are floats.
 template <std::size_t lanes>
-struct alignas(4 * lanes) FrontPlanes<lanes, FrontBounds::Distance> {
+struct alignas(4 * lanes) FrontPlanes<lanes, FrontKind::Distance> {
   static constexpr float kUnit = 1;
 
   float normal[3][lanes];
   float gap[lanes];
-  FrontQuery query;
+  QueryBall ball;
 
-  FrontPlanes() : normal{}, query{} {
+  FrontPlanes() : normal{}, ball{} {
     std::fill_n(gap, lanes, -std::numeric_limits<float>::infinity());
   }
 };

@@ -38,21 +38,21 @@ class BestGap {
   HWY_INLINE BestGap() : gap_(hn::Zero(AnyTag())), per_length_(gap_), normal_{gap_, gap_, gap_} {}
 
   /// Along a vector whose length may be anything.
-  HWY_INLINE void offer_along(Values gap, const Values (&n)[3]) {
+  HWY_INLINE void consider_along(Values gap, const Values (&n)[3]) {
     const auto per_length = hn::ApproximateReciprocalSqrt(padded_square(AnyTag(), n));
-    offer(hn::Mul(gap, per_length), per_length, n);
+    consider(hn::Mul(gap, per_length), per_length, n);
   }
 
   /// Gaps along three directions at right angles, as vectors along these, make a gap along their
   /// sum.
-  HWY_INLINE void offer_sum(Values square, const Values (&sum)[3]) {
+  HWY_INLINE void consider_sum(Values square, const Values (&sum)[3]) {
     const auto padded = hn::Add(square, hn::Set(AnyTag(), kWideUnderflow));
     const auto per_length = hn::ApproximateReciprocalSqrt(padded);
-    offer(hn::Mul(square, per_length), per_length, sum);
+    consider(hn::Mul(square, per_length), per_length, sum);
   }
 
   /// Along a vector of a length times `per_length` of 1, or less.
-  HWY_INLINE void offer(Values gap, Values per_length, const Values (&n)[3]) {
+  HWY_INLINE void consider(Values gap, Values per_length, const Values (&n)[3]) {
     const auto is_better = hn::Gt(gap, gap_);
     gap_ = hn::IfThenElse(is_better, gap, gap_);
     per_length_ = hn::IfThenElse(is_better, per_length, per_length_);
@@ -127,13 +127,13 @@ HWY_INLINE void store_gaps(AnyTag tag, FoundPlanes<lanes>& found, std::size_t la
 }
 
 /// What a front keeps of gaps where it is to tell whether anything meets.
-template <FrontBounds bounds>
+template <FrontKind kind>
 struct PlaneStore;
 
 template <>
-struct PlaneStore<FrontBounds::Intersection> {
+struct PlaneStore<FrontKind::Intersection> {
   template <std::size_t lanes>
-  using Planes = FrontPlanes<lanes, FrontBounds::Intersection>;
+  using Planes = FrontPlanes<lanes, FrontKind::Intersection>;
 
   /// Normals, in units, and gaps.
   template <typename AnyTag, std::size_t lanes>
@@ -183,9 +183,9 @@ struct PlaneStore<FrontBounds::Intersection> {
 
 /// Where it is to tell how far things are apart.
 template <>
-struct PlaneStore<FrontBounds::Distance> {
+struct PlaneStore<FrontKind::Distance> {
   template <std::size_t lanes>
-  using Planes = FrontPlanes<lanes, FrontBounds::Distance>;
+  using Planes = FrontPlanes<lanes, FrontKind::Distance>;
 
   template <typename AnyTag, std::size_t lanes>
   HWY_INLINE static hn::Vec<AnyTag> read(AnyTag tag, const Planes<lanes>& planes, std::size_t lane,

@@ -15,7 +15,7 @@ constexpr std::size_t kFirstSize = 64;
 
 /// Pairs whose budget is no larger are due.
 float spent_at(const WideFront::Pass& pass, double limit) {
-  return rounded_up(pass.moved + (limit + 2 * pass.slack) / static_cast<double>(pass.deviation));
+  return rounded_up(pass.spent + (limit + 2 * pass.slack) / static_cast<double>(pass.deviation));
 }
 
 FrontHorizon horizon_at(const WideFront::Pass& pass, double limit) {
@@ -29,8 +29,8 @@ std::size_t count_due(const std::vector<float>& budgets, float spent) {
 
 }  // namespace
 
-WideFront::Pass::Pass(const RelativeFrame& b_in_a, const RelativeFrame& a_in_b, Bounds what)
-    : bounds(what),
+WideFront::Pass::Pass(const RelativeFrame& b_in_a, const RelativeFrame& a_in_b, Kind what)
+    : kind(what),
       slack(std::max(b_in_a.slack, a_in_b.slack)),
       into{TreeTransform(b_in_a), TreeTransform(a_in_b)},
       units{static_cast<float>(b_in_a.units_a), static_cast<float>(a_in_b.units_a)} {}
@@ -45,8 +45,8 @@ void WideFront::Pass::aim_along(const double (&along)[3]) {
   }
 }
 
-void WideFront::follow(const RelativeFrame& b_in_a, const RelativeFrame& a_in_b,
-                       const MotionBound& motion) {
+void WideFront::set_poses(const RelativeFrame& b_in_a, const RelativeFrame& a_in_b,
+                          const MotionBound& motion) {
   const RelativeFrame now[2] = {b_in_a, a_in_b};
   const double distance = motion.distance - motion_.distance;
   const double deviation = has_prediction_ ? prediction_.deviation(last_, now, distance) : 0;
@@ -57,17 +57,17 @@ void WideFront::follow(const RelativeFrame& b_in_a, const RelativeFrame& a_in_b,
   std::copy_n(now, 2, last_);
 }
 
-WideFront::Pass WideFront::pass(Bounds bounds) const {
-  Pass pass(last_[0], last_[1], bounds);
-  pass.moved = spent_;
+WideFront::Pass WideFront::start_pass(Kind kind) const {
+  Pass pass(last_[0], last_[1], kind);
+  pass.spent = spent_;
   if (has_prediction_) {
     pass.deviation = kDeviation;
     pass.per_distance = prediction_.per_distance();
     for (int side = 0; side < 2; ++side)
       pass.predicted[side] = prediction_.displacement(side);
   }
-  pass.since[0] = QueryDisplacement(first_[0], last_[0], *state_.tree[1], motion_.turn);
-  pass.since[1] = QueryDisplacement(first_[1], last_[1], *state_.tree[0], motion_.turn);
+  pass.since[0] = QueryDisplacement(first_[0], last_[0], *state_.tree[1], motion_.rotation_change);
+  pass.since[1] = QueryDisplacement(first_[1], last_[1], *state_.tree[0], motion_.rotation_change);
   return pass;
 }
 
@@ -89,24 +89,24 @@ void WideFront::begin(const WideTree& tree_a, const WideTree& tree_b, const Rela
   state_.leaves.clear();
   state_.leaves_budgets.clear();
   state_.busy.clear();
-  state_.candidates.clear();
-  state_.candidate_budgets.clear();
-  state_.candidate_planes.clear();
+  state_.near_pairs.clear();
+  state_.near_pair_budgets.clear();
+  state_.near_pair_planes.clear();
   state_.lanes = 0;
 }
 
 void WideFront::set_prediction(const RelativeFrame (&before)[2], const MotionBound& step) {
   drop_prediction();
   if (!(step.distance > kLeastDistance)) return;
-  prediction_ =
-      MotionPrediction(before, last_, *state_.tree[0], *state_.tree[1], step.distance, step.turn);
+  prediction_ = MotionPrediction(before, last_, *state_.tree[0], *state_.tree[1], step.distance,
+                                 step.rotation_change);
   has_prediction_ = true;
 }
 
 void WideFront::drop_prediction() {
   if (!has_prediction_) return;
   has_prediction_ = false;
-  // Budgets that counted on the prediction are cut to what is left whatever the motion does.
+  // Budgets that counted on the prediction are lowered to what holds whatever the motion does.
   const float now = rounded_up(spent_);
   for (std::vector<float>* budgets : {&state_.visit_budgets, &state_.leaves_budgets}) {
     for (float& budget : *budgets) {
@@ -131,12 +131,12 @@ double WideFront::share_due(const Pass& pass, double limit) const {
          static_cast<double>(all);
 }
 
-void WideFront::advance(const Pass& pass, double limit, const Foresight& foresight) {
+void WideFront::update(const Pass& pass, double limit, const Foresight& foresight) {
   const std::uint64_t before = state_.counts.box_tests;
   const std::uint64_t known = state_.lanes;
   const double look_ahead = std::max(limit, foresight.look_ahead);
   update_front(state_, pass,
-               {.must = horizon_at(pass, limit),
+               {.required = horizon_at(pass, limit),
                 .look_ahead = horizon_at(pass, look_ahead),
                 .useful = static_cast<float>(foresight.useful),
                 .most_added = foresight.most_added});
@@ -146,37 +146,37 @@ void WideFront::advance(const Pass& pass, double limit, const Foresight& foresig
 
 bool WideFront::is_due(std::size_t index, const Pass& pass, double limit) {
   const FrontHorizon horizon = horizon_at(pass, limit);
-  float& budget = state_.candidate_budgets[index];
+  float& budget = state_.near_pair_budgets[index];
   if (!(budget <= horizon.spent)) return false;
-  const FrontQuery& query = state_.distance.of_leaves[state_.candidates[index] / kLeafPairs].query;
-  const float gap = state_.candidate_planes[index].gap_after(query, pass.since[query.tested_side]);
-  const float later = rounded_down(pass.moved + static_cast<double>(gap));
+  const QueryBall& query = state_.distance.of_leaves[state_.near_pairs[index] / kLeafPairs].ball;
+  const float gap = state_.near_pair_planes[index].gap_after(query, pass.since[query.tested_side]);
+  const float later = rounded_down(pass.spent + static_cast<double>(gap));
   if (!(gap > horizon.limit && later > horizon.spent)) return true;
   budget = later;
   return false;
 }
 
 void WideFront::set_gap(std::size_t index, const Pass& pass, double gap) {
-  state_.candidate_budgets[index] = rounded_down(pass.moved + gap);
+  state_.near_pair_budgets[index] = rounded_down(pass.spent + gap);
 }
 
 void WideFront::keep_apart(std::size_t index, const Pass& pass, const Gap& gap) {
   set_gap(index, pass, gap.units);
-  const FrontQuery& query = state_.distance.of_leaves[state_.candidates[index] / kLeafPairs].query;
+  const QueryBall& query = state_.distance.of_leaves[state_.near_pairs[index] / kLeafPairs].ball;
   const bool is_b_query = query.tested_side == 0;
   double direction[3];
   for (int i = 0; i < 3; ++i)
     direction[i] = is_b_query ? gap.along_in_a[i] : -gap.along_in_b[i];
-  state_.candidate_planes[index] =
+  state_.near_pair_planes[index] =
       FrontPlane(direction, gap.units, query, pass.since[query.tested_side]);
 }
 
 double WideFront::proven_gap(const Pass& pass) const {
   if (!state_.busy.empty()) return 0;
   float least = state_.least_budget;
-  for (const float budget : state_.candidate_budgets)
+  for (const float budget : state_.near_pair_budgets)
     least = std::min(least, budget);
-  return (static_cast<double>(least) - pass.moved) * static_cast<double>(pass.deviation) -
+  return (static_cast<double>(least) - pass.spent) * static_cast<double>(pass.deviation) -
          2 * pass.slack;
 }
 

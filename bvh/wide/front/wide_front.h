@@ -33,26 +33,26 @@ namespace graze::bvh {
 /// further in A's frame than their sum.
 class WideFront {
  public:
-  using Bounds = FrontBounds;
+  using Kind = FrontKind;
 
   /// The motion spent, limits and look-aheads must stay below this.
   static constexpr double kFarthest = 0x1p60;
 
   /// Bounds of how B has moved in A since begin(): no point of B's box came further than
   /// `distance`, and the changes of its rotation, as Frobenius norms, add up to no more
-  /// than `turn`.
+  /// than `rotation_change`.
   struct MotionBound {
     double distance = 0;
-    double turn = 0;
+    double rotation_change = 0;
   };
 
-  /// The poses of a query, and what it asks: from pass().
+  /// The poses of a query, and what it asks: from start_pass().
   struct Pass {
     /// Looks also for gaps along this direction, from A to B in the frame of A.
     void aim_along(const double (&direction)[3]);
 
-    Bounds bounds;          ///< what the pass is to prove
-    double moved = 0;       ///< the motion spent
+    Kind kind;              ///< what the pass is to prove
+    double spent = 0;       ///< the motion spent
     double slack;           ///< of both frames
     TreeTransform into[2];  ///< by the side of the tested node: of query boxes of the other tree
     float units[2];         ///< of each tree, in common units
@@ -64,7 +64,7 @@ class WideFront {
 
    private:
     friend class WideFront;
-    Pass(const RelativeFrame& b_in_a, const RelativeFrame& a_in_b, Bounds bounds);
+    Pass(const RelativeFrame& b_in_a, const RelativeFrame& a_in_b, Kind kind);
   };
 
   /// Forgets everything and begins with the roots, which must outlive it, in these poses: how tree
@@ -73,10 +73,11 @@ class WideFront {
              const RelativeFrame& a_in_b);
 
   /// The same trees are in other poses, in the same units, since begin() after this motion.
-  void follow(const RelativeFrame& b_in_a, const RelativeFrame& a_in_b, const MotionBound& motion);
+  void set_poses(const RelativeFrame& b_in_a, const RelativeFrame& a_in_b,
+                 const MotionBound& motion);
 
   /// In the poses that it followed to.
-  Pass pass(Bounds bounds) const;
+  Pass start_pass(Kind kind) const;
 
   /// From here on B is predicted to go on as it came from the poses `before`, a `step` ago. What
   /// the predicted motion does not bring nearer is then due later. If B moves otherwise, answers
@@ -101,9 +102,9 @@ class WideFront {
   };
 
   /// Looks at all boxes and leaves that are due. Afterwards no two primitives are `limit` apart or
-  /// nearer but, by Bounds::Distance, those that are candidates, and by Bounds::Intersection, whose
+  /// nearer but, by Kind::Distance, those of near_pair(), and by Kind::Intersection, whose
   /// limit is 0, those that surely cross, crossing(), and some of those that may meet, unsure().
-  void advance(const Pass& pass, double limit, const Foresight& foresight);
+  void update(const Pass& pass, double limit, const Foresight& foresight);
 
   std::size_t crossing_count() const { return state_.crossing.size; }
   PlacePair crossing(std::size_t index) const { return places_of(state_.crossing.lanes[index]); }
@@ -113,13 +114,13 @@ class WideFront {
   /// How many of the boxes and leaves that it held the last pass had to look at.
   std::size_t looked_at() const { return state_.looked_at; }
 
-  std::size_t candidate_count() const { return state_.candidates.size(); }
-  PlacePair candidate(std::size_t index) const { return places_of(state_.candidates[index]); }
+  std::size_t near_pair_count() const { return state_.near_pairs.size(); }
+  PlacePair near_pair(std::size_t index) const { return places_of(state_.near_pairs[index]); }
 
-  /// Whether a candidate may be `limit` apart or nearer, after what was said of it.
+  /// Whether a near pair may be `limit` apart or nearer, by what set_gap() and keep_apart() proved.
   bool is_due(std::size_t index, const Pass& pass, double limit);
 
-  /// Candidate `index` is at least so far apart in this pass (common units).
+  /// Near pair `index` is at least so far apart in this pass (common units).
   void set_gap(std::size_t index, const Pass& pass, double gap);
 
   /// How far two primitives are apart at least along a direction, from A to B, which is no longer
@@ -130,16 +131,16 @@ class WideFront {
     double along_in_b[3];
   };
 
-  /// Candidate `index` is apart by that in this pass, and while it is it is not due.
+  /// Near pair `index` is apart by that in this pass, and while it is it is not due.
   void keep_apart(std::size_t index, const Pass& pass, const Gap& gap);
 
-  /// How far apart all is at least, if no candidate was near and nothing met: valid after
-  /// advance().
+  /// How far apart all is at least, if no near pair was within the limit and nothing met: valid
+  /// after update().
   double proven_gap(const Pass& pass) const;
 
   /// What it holds: pairs that were looked at.
   std::size_t size() const {
-    return state_.visits.size() + state_.leaves.size() + state_.candidates.size();
+    return state_.visits.size() + state_.leaves.size() + state_.near_pairs.size();
   }
 
   /// What all passes did since these were last taken. Pairs of boxes that were not due are
@@ -157,8 +158,8 @@ class WideFront {
     WideChildRef tested;  ///< the first child
     WideChildRef query;
     int tested_side;
-    float tested_size;   ///< of the box around the children
-    std::uint32_t open;  ///< the children below which the front goes on
+    float tested_size;     ///< of the box around the children
+    std::uint32_t opened;  ///< the children below which the front goes on
   };
 
   /// A leaf, by its treelet.
@@ -175,7 +176,7 @@ class WideFront {
     Leaf tested;
     Leaf query;
     int tested_side;
-    std::uint32_t listed;  ///< the pairs that are candidates, by their lanes
+    std::uint32_t listed;  ///< the near pairs among theirs, by their lanes
   };
 
   static constexpr std::size_t kLeafPairs = ChildLink::kMaxLeafSize * ChildLink::kMaxLeafSize;
@@ -193,10 +194,10 @@ class WideFront {
   };
 
   /// The planes of each visit, and of each pair of leaves.
-  template <FrontBounds bounds>
+  template <FrontKind kind>
   struct Planes {
-    std::vector<FrontPlanes<WideNode::kWidth, bounds>> of_visits;
-    std::vector<FrontPlanes<kLeafPairs, bounds>> of_leaves;
+    std::vector<FrontPlanes<WideNode::kWidth, kind>> of_visits;
+    std::vector<FrontPlanes<kLeafPairs, kind>> of_leaves;
 
     void clear() {
       of_visits.clear();
@@ -207,17 +208,17 @@ class WideFront {
   struct State {
     const WideTree* tree[2] = {nullptr, nullptr};
     std::vector<Visit> visits;
-    Planes<FrontBounds::Intersection> intersection;  ///< while passes have these bounds
-    Planes<FrontBounds::Distance> distance;          ///< while they have these
+    Planes<FrontKind::Intersection> intersection;  ///< of a front of this kind
+    Planes<FrontKind::Distance> distance;          ///< likewise
     std::vector<float> visit_budgets;
     std::vector<Leaves> leaves;
     std::vector<float> leaves_budgets;
     std::vector<std::uint32_t> busy;  ///< indices of `leaves` in which primitives meet
     LeafPairs crossing;
     LeafPairs unsure;
-    std::vector<std::uint32_t> candidates;  ///< as the lanes of LeafPairs
-    std::vector<float> candidate_budgets;
-    std::vector<FrontPlane> candidate_planes;
+    std::vector<std::uint32_t> near_pairs;  ///< as the lanes of LeafPairs
+    std::vector<float> near_pair_budgets;
+    std::vector<FrontPlane> near_pair_planes;
     std::vector<std::uint32_t> due;  ///< working memory: indices of what is due in a pass
     std::size_t looked_at = 0;       ///< by the last pass, of what there was before it
     float least_budget = 0;          ///< of visits and leaves, if none is busy
@@ -230,7 +231,7 @@ class WideFront {
 
   State state_;
   RelativeFrame first_[2] = {};  ///< at begin()
-  RelativeFrame last_[2] = {};   ///< at the last follow()
+  RelativeFrame last_[2] = {};   ///< at the last set_poses()
   MotionBound motion_;           ///< from begin() to then
   double spent_ = 0;             ///< the motion spent (front_planes.h)
   bool has_prediction_ = false;
@@ -249,7 +250,7 @@ struct FrontHorizon {
 
 /// What an update of a front looks at.
 struct FrontTask {
-  FrontHorizon must;        ///< what it has to compare
+  FrontHorizon required;    ///< what it has to compare
   FrontHorizon look_ahead;  ///< what it may compare for later passes, as in WideFront::Foresight
   float useful;             ///< likewise
   std::size_t most_added;   ///< likewise

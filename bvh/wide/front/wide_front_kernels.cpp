@@ -48,7 +48,7 @@ class BoxGaps {
       squared_distance_ = hn::MulAdd(farthest, farthest, squared_distance_);
       turned[i] = hn::Zero(tag);
     }
-    best_.offer_sum(square, apart);
+    best_.consider_sum(square, apart);
     square = hn::Zero(tag);
     for (int k = 0; k < 3; ++k) {
       const Lanes distance =
@@ -64,7 +64,7 @@ class BoxGaps {
       for (int i = 0; i < 3; ++i)
         turned[i] = hn::MulAdd(along, axis(k, i), turned[i]);
     }
-    best_.offer_sum(square, turned);
+    best_.consider_sum(square, turned);
   }
 
   /// Along cross products of axes, which are no longer than 1.
@@ -85,7 +85,7 @@ class BoxGaps {
         normal[i] = hn::Zero(tag);
         normal[i1] = hn::IfThenElse(is_back, axis(k, i2), hn::Neg(axis(k, i2)));
         normal[i2] = hn::IfThenElse(is_back, hn::Neg(axis(k, i1)), axis(k, i1));
-        best_.offer(known(tag, gap), hn::Set(tag, 1.0f), normal);
+        best_.consider(known(tag, gap), hn::Set(tag, 1.0f), normal);
       }
     }
   }
@@ -99,7 +99,7 @@ class BoxGaps {
     const Lanes sign = hn::CopySign(hn::Set(tag, 1.0f), found.distance);
     const Lanes normal[3] = {hn::Mul(sign, slabs.slope[0]), hn::Mul(sign, slabs.slope[1]), sign};
     const Lanes gap = known(tag, hn::Sub(hn::Abs(found.distance), found.radii));
-    best_.offer_along(hn::IfThenZeroElse(are_apart(), gap), normal);
+    best_.consider_along(hn::IfThenZeroElse(are_apart(), gap), normal);
   }
 
   HWY_INLINE hn::Mask<Tag> are_apart() const { return best_.is_any(); }
@@ -115,25 +115,25 @@ class BoxGaps {
     const Lanes gap = known(tag, hn::Sub(along, radii));
     const Lanes axes[3] = {hn::Set(tag, aim.axes[0]), hn::Set(tag, aim.axes[1]),
                            hn::Set(tag, aim.axes[2])};
-    best_.offer(gap, hn::Set(tag, 1.0f), axes);
+    best_.consider(gap, hn::Set(tag, 1.0f), axes);
   }
 
   /// What was found, in the frame of the tested node's tree, in common units.
-  template <FrontBounds bounds>
-  HWY_INLINE void store(FrontPlanes<WideNode::kWidth, bounds>& planes,
+  template <FrontKind kind>
+  HWY_INLINE void store(FrontPlanes<WideNode::kWidth, kind>& planes,
                         FoundPlanes<WideNode::kWidth>& found, std::size_t lane,
                         float unit_of_tested) const {
     const Tag tag;
     Lanes normal[3];
     Lanes turned[3];
-    const Lanes gap = PlaneStore<bounds>::best_of(best_, normal);
+    const Lanes gap = PlaneStore<kind>::best_of(best_, normal);
     for (int i = 0; i < 3; ++i) {
       turned[i] = hn::MulAdd(normal[0], hn::Set(tag, tested_.axes[i][0]),
                              hn::MulAdd(normal[1], hn::Set(tag, tested_.axes[i][1]),
                                         hn::Mul(normal[2], hn::Set(tag, tested_.axes[i][2]))));
     }
-    PlaneStore<bounds>::write(tag, planes, found, lane, gap, turned, squared_distance_,
-                              unit_of_tested);
+    PlaneStore<kind>::write(tag, planes, found, lane, gap, turned, squared_distance_,
+                            unit_of_tested);
   }
 
  private:
@@ -149,29 +149,29 @@ class BoxGaps {
 };
 
 /// One pass over a front.
-template <FrontBounds bounds>
-class FrontUpdater : private FrontLeaves<bounds> {
+template <FrontKind kind>
+class FrontUpdater : private FrontLeaves<kind> {
  public:
   FrontUpdater(WideFront::State& state, const WideFront::Pass& pass, const FrontTask& task)
       : Base(state, pass, task),
         useful_(task.useful),
-        most_held_(held() + task.most_added),
+        most_size_(size() + task.most_added),
         scale_b_(static_cast<float>(pass.into[0].scale)) {}
 
   void run() {
     if (state_.visits.empty()) add_visit({state_.tree[0]->root(), state_.tree[1]->root()});
     const std::size_t visits = state_.visits.size();
-    if (look_ahead_.limit > must_.limit && is_look_ahead_in_vain()) look_ahead_ = must_;
-    const std::size_t open = find_due(planes_.of_visits, state_.visit_budgets);
-    for (std::size_t i = 0; i < open; ++i) {
-      if (i + 2 * kAhead < open) {
+    if (look_ahead_.limit > required_.limit && is_look_ahead_in_vain()) look_ahead_ = required_;
+    const std::size_t due = find_due(planes_.of_visits, state_.visit_budgets);
+    for (std::size_t i = 0; i < due; ++i) {
+      if (i + 2 * kAhead < due) {
         fetch(state_.visits[state_.due[i + 2 * kAhead]]);
         fetch(planes_.of_visits[state_.due[i + 2 * kAhead]]);
       }
-      if (i + kAhead < open) fetch_visit(state_.due[i + kAhead]);
+      if (i + kAhead < due) fetch_visit(state_.due[i + kAhead]);
       visit(state_.due[i]);
     }
-    state_.looked_at = open;
+    state_.looked_at = due;
     for (std::size_t i = visits; i < state_.visits.size(); ++i) {
       if (i + kAhead < state_.visits.size()) fetch_visit(i + kAhead);
       visit(i);
@@ -188,7 +188,7 @@ class FrontUpdater : private FrontLeaves<bounds> {
   }
 
  private:
-  using Base = FrontLeaves<bounds>;
+  using Base = FrontLeaves<kind>;
   using Base::budget_after;
   using Base::compare_due_leaves;
   using Base::decide_leaves;
@@ -196,18 +196,18 @@ class FrontUpdater : private FrontLeaves<bounds> {
   using Base::find_due;
   using Base::least_of;
   using Base::look_ahead_;
-  using Base::must_;
   using Base::outlook_;
   using Base::pass_;
   using Base::planes_;
+  using Base::required_;
   using Base::state_;
   using typename Base::LeafPlanes;
   using typename Base::Outlook;
   using typename Base::VisitPlanes;
 
-  static constexpr bool kIsDistance = bounds == FrontBounds::Distance;
+  static constexpr bool kIsDistance = kind == FrontKind::Distance;
 
-  std::size_t held() const { return state_.visits.size() + state_.leaves.size(); }
+  std::size_t size() const { return state_.visits.size() + state_.leaves.size(); }
 
   /// Whether to look ahead is in vain: so many pairs are near enough that most of them could not be
   /// opened, or primitives are so near that no gap is worth it.
@@ -215,10 +215,10 @@ class FrontUpdater : private FrontLeaves<bounds> {
     const std::size_t leaves = find_due(planes_.of_leaves, state_.leaves_budgets);
     for (std::size_t i = 0; i < leaves; ++i) {
       const LeafPlanes& planes = planes_.of_leaves[state_.due[i]];
-      if (!(outlook_[planes.query.tested_side].gap(planes) > useful_)) return true;
+      if (!(outlook_[planes.ball.tested_side].gap(planes) > useful_)) return true;
     }
     const std::size_t near = leaves + find_due(planes_.of_visits, state_.visit_budgets);
-    return 2 * near > most_held_ - held();
+    return 2 * near > most_size_ - size();
   }
 
   HWY_INLINE void fetch_visit(std::size_t index) const {
@@ -245,10 +245,10 @@ class FrontUpdater : private FrontLeaves<bounds> {
     WideFront::Visit& visit = state_.visits[index];
     VisitPlanes& planes = planes_.of_visits[index];
     if (state_.visit_budgets[index] == kAtOnce) {
-      planes.query = FrontQuery(query, pass_.units[1 - tested_side], tested_side);
+      planes.ball = QueryBall(query, pass_.units[1 - tested_side], tested_side);
       state_.lanes += node.count;
     }
-    const std::uint32_t closed = node.lanes() & ~visit.open;
+    const std::uint32_t closed = node.lanes() & ~visit.opened;
     FoundPlanes<WideNode::kWidth> gaps;
     set_gaps(planes, gaps, node, tested_side, closed, query);
     const typename Outlook::Nearness kept =
@@ -257,10 +257,10 @@ class FrontUpdater : private FrontLeaves<bounds> {
     const auto tested = static_cast<std::uint32_t>(std::popcount(closed));
     state_.counts.box_tests += tested;
     state_.counts.box_rejections += tested - static_cast<std::uint32_t>(std::popcount(near));
-    visit.open |= near;
-    state_.visit_budgets[index] = budget_after(kept.lasts);
-    const FrontQuery query_ball = planes.query;
-    if (held() > most_held_) look_ahead_ = must_;
+    visit.opened |= near;
+    state_.visit_budgets[index] = budget_after(kept.motion_left);
+    const QueryBall query_ball = planes.ball;
+    if (size() > most_size_) look_ahead_ = required_;
     for (; near != 0; near &= near - 1) {
       const auto lane = static_cast<std::uint32_t>(std::countr_zero(near));
       const WideChildRef child = {&node, lane, below.treelet};
@@ -297,12 +297,12 @@ class FrontUpdater : private FrontLeaves<bounds> {
   }
 
   HWY_INLINE void add_leaves(const WidePairWalk::Waiting& pair, int tested_side,
-                             const FrontQuery& query_ball) {
+                             const QueryBall& query_ball) {
     const WideChildRef& tested = tested_side == 0 ? pair.a : pair.b;
     const WideChildRef& query = tested_side == 0 ? pair.b : pair.a;
     state_.leaves.push_back(
         {leaf_at(tested_side, tested), leaf_at(1 - tested_side, query), tested_side, 0});
-    planes_.of_leaves.emplace_back().query = query_ball;
+    planes_.of_leaves.emplace_back().ball = query_ball;
     state_.leaves_budgets.push_back(kAtOnce);
   }
 
@@ -332,7 +332,7 @@ class FrontUpdater : private FrontLeaves<bounds> {
   }
 
   float useful_;
-  std::size_t most_held_;  ///< by the front, until it looks no further ahead
+  std::size_t most_size_;  ///< by the front, until it looks no further ahead
   float scale_b_;
   Query query_{};
   WideChildRef query_child_{};  ///< whose box query_ is
@@ -340,11 +340,11 @@ class FrontUpdater : private FrontLeaves<bounds> {
   QueryInNode in_node_;
 };
 
-void advance(WideFront::State& state, const WideFront::Pass& pass, const FrontTask& task) {
-  if (pass.bounds == FrontBounds::Distance) {
-    FrontUpdater<FrontBounds::Distance>(state, pass, task).run();
+void update_front(WideFront::State& state, const WideFront::Pass& pass, const FrontTask& task) {
+  if (pass.kind == FrontKind::Distance) {
+    FrontUpdater<FrontKind::Distance>(state, pass, task).run();
   } else {
-    FrontUpdater<FrontBounds::Intersection>(state, pass, task).run();
+    FrontUpdater<FrontKind::Intersection>(state, pass, task).run();
   }
 }
 
@@ -355,10 +355,10 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace graze::bvh {
 
-HWY_EXPORT(advance);
+HWY_EXPORT(update_front);
 
 void update_front(WideFront::State& state, const WideFront::Pass& pass, const FrontTask& task) {
-  HWY_DYNAMIC_DISPATCH(advance)(state, pass, task);
+  HWY_DYNAMIC_DISPATCH(update_front)(state, pass, task);
 }
 
 }  // namespace graze::bvh

@@ -1,20 +1,80 @@
 #pragma once
 
-// Private to engine/mesh.
+// A front for as long as it saves time: what queries with it have cost so far, and what follows,
+// whether it is worth it and how far it had better look ahead. Private to engine/mesh.
 
 #include <graze/bvh/wide/front/wide_front.h>
-#include <graze/engine/mesh/memory/front_costs.h>
 #include <graze/engine/work.h>
 
 #include <cstddef>
+#include <limits>
 #include <optional>
 
 namespace graze {
 
+/// Whether queries with a front cost less than walks over the trees, judged by the counters of
+/// both.
+class FrontWorth {
+ public:
+  /// What a walk, or an update of the front, costs by its counters; `unsure` are the pairs of
+  /// primitives that the update leaves unsure. In nanoseconds of one machine: only ratios matter.
+  static double cost_of_walk(const Work& done);
+  static double cost_of_pass(const bvh::WideFront::Counts& done, std::size_t unsure);
+
+  /// Takes note of what the last query without a front has cost.
+  void learn_walk(double cost) { walk_ = cost; }
+
+  /// Forgets what the front before has cost.
+  void begin() { queries_ = 0; }
+
+  /// Takes note of what a query with the front has cost.
+  void learn(double cost);
+
+  /// Whether the front is worth it. Not where queries with it cost more than a walk: after a few
+  /// queries, or at once if they cost far more. True where nothing is known.
+  bool is_worth_it() const;
+
+  /// Whether it is known that they cost far less than a walk.
+  bool is_surely_worth_it() const;
+
+ private:
+  double walk_ = std::numeric_limits<double>::infinity();
+  double mean_ = 0;  ///< of the costs with the front; the last ones count most
+  int queries_ = 0;
+};
+
+/// The look-ahead of a front where nothing meets: for how many queries the gap that a pass proves
+/// should last. A longer one opens more boxes that are apart, which costs time, above all where
+/// surfaces lie near each other; and it saves the passes of the queries that the gap then answers.
+/// What pays is learned by trying: one level more as long as a query costs less, one less when it
+/// costs more. A level that did not pay is tried again later, and each time after a longer wait.
+class LookAhead {
+ public:
+  /// How many queries ahead; 0 where only what meets is looked at.
+  double queries() const { return kQueries[level_]; }
+
+  /// Takes note of what a query has cost with this look-ahead, in any unit.
+  void learn(double cost);
+
+ private:
+  static constexpr int kLevels = 4;
+  static constexpr double kQueries[kLevels] = {0, 2, 4, 8};
+
+  double cost_[kLevels] =
+      {};  ///< of each level, a mean in which the last queries count most; 0: unknown
+  int level_ = 0;
+  bool is_new_ = false;  ///< whether the level was raised and no query has been made with it yet
+  int wait_ = 0;         ///< how many queries remain until a higher level is tried
+  int next_wait_ = kFirstWait;  ///< what wait_ becomes when a level does not pay
+
+  static constexpr int kFirstWait = 4;
+  static constexpr int kLongestWait = 64;
+};
+
 /// A front (bvh/wide/front/wide_front.h) that follows a motion for as long as that saves time.
 class MotionFront {
  public:
-  explicit MotionFront(bvh::WideFront::Bounds bounds) : bounds_(bounds) {}
+  explicit MotionFront(bvh::WideFront::Kind kind) : kind_(kind) {}
 
   bvh::WideFront& front() { return front_; }
   /// Whether there is a front that follows the motion.
@@ -26,19 +86,20 @@ class MotionFront {
 
   /// Takes note that in so many queries no point of B has moved by more than the step (common
   /// units).
-  void move(const bvh::WideFront::MotionBound& step, int queries);
+  void add_motion(const bvh::WideFront::MotionBound& step, int queries);
 
-  /// The update of the front for this query, if the front is worth it or, begun anew in these
+  /// The pass of this query over the front, if the front is worth it or, begun anew in these
   /// poses, promises to be. Otherwise the query should walk the trees: where most of the front is
   /// due, where queries with it have cost more than a walk, or where distances made it look at a
   /// third of the front. Then the front rests for some queries, and for more of them each time that
-  /// this happens in turn. `limit` as in WideFront::advance().
-  std::optional<bvh::WideFront::Pass> pass(const bvh::WideTree& tree_a, const bvh::WideTree& tree_b,
-                                           const bvh::RelativeFrame& b_in_a,
-                                           const bvh::RelativeFrame& a_in_b, double limit);
+  /// this happens in turn. `limit` as in WideFront::update().
+  std::optional<bvh::WideFront::Pass> start_pass(const bvh::WideTree& tree_a,
+                                                 const bvh::WideTree& tree_b,
+                                                 const bvh::RelativeFrame& b_in_a,
+                                                 const bvh::RelativeFrame& a_in_b, double limit);
 
-  /// Looks at the pairs that are due, and adds what that took to `work`.
-  void advance(const bvh::WideFront::Pass& pass, double limit, Work& work);
+  /// Updates the front: looks at the pairs that are due, and adds what that took to `work`.
+  void update(const bvh::WideFront::Pass& pass, double limit, Work& work);
 
   /// Takes note of what a query did that walked the trees to the end instead.
   void learn_walk(const Work& walk) { worth_.learn_walk(FrontWorth::cost_of_walk(walk)); }
@@ -48,7 +109,7 @@ class MotionFront {
 
   /// Whether a query for a distance would compute so many distances that a walk, which sees fewer
   /// where many are nearly equal, costs less.
-  bool has_many_candidates(const bvh::WideFront::Pass& pass, double limit);
+  bool has_many_near_pairs(const bvh::WideFront::Pass& pass, double limit);
   /// Gives the front up, and lets it rest.
   void give_up();
 
@@ -61,7 +122,7 @@ class MotionFront {
   /// Gives the front a predicted motion, or takes it away where the motion deviates from it.
   void update_prediction(const bvh::RelativeFrame (&now)[2]);
 
-  bvh::WideFront::Bounds bounds_;
+  bvh::WideFront::Kind kind_;
   bvh::WideFront front_;
   bool is_in_use_ = false;
   bvh::WideFront::MotionBound motion_;  ///< since the front was begun
@@ -71,9 +132,9 @@ class MotionFront {
   int next_rest_ = 1;
   FrontWorth worth_;
   LookAhead look_ahead_;
-  double step_ = 0;  ///< how far B moved in each of the last queries, at most, on average
-  int queries_ = 1;  ///< how many queries that average is over
-  bool is_jump_ = true;
+  double step_ = 0;      ///< how far B moved in each of the last queries, at most, on average
+  int queries_ = 1;      ///< how many queries that average is over
+  bool is_jump_ = true;  ///< whether the last step was far longer than those before (kJump)
 
   bvh::RelativeFrame last_[2] = {};  ///< the relative frames when an update was last asked for
   bvh::WideFront::MotionBound since_last_;

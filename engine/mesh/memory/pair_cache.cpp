@@ -124,7 +124,7 @@ void PairCache::place(const Pose& pose_a, const Pose& pose_b) {
   queries_ = std::min(queries_ + 1, kMostQueries);
 }
 
-bool PairCache::are_beyond(double metres) const {
+bool PairCache::are_apart_by(double metres) const {
   if (!(gap_ > metres)) return false;
   const CachedMesh::DisplacementBound of_a = displacement_from(gap_pose_a_, a_);
   const CachedMesh::DisplacementBound of_b = displacement_from(gap_pose_b_, b_);
@@ -136,8 +136,8 @@ bool PairCache::are_beyond(double metres) const {
   return left > 0 && left * left * (1 - 0x1p-40) > square;
 }
 
-bool PairCache::are_still_beyond(double metres, Work* work) {
-  if (!are_beyond(metres)) return false;
+bool PairCache::are_still_apart_by(double metres, Work* work) {
+  if (!are_apart_by(metres)) return false;
   ++still_apart;
   if (work != nullptr) ++work->skipped_by_memory;
   return true;
@@ -150,22 +150,22 @@ void PairCache::learn_gap(double metres) {
   gap_pose_b_ = pose_of(b_);
 }
 
-bool PairCache::follow(const WideQuery& query) {
+bool PairCache::add_motion(const WideQuery& query) {
   const bvh::RelativeFrame& now = query.b_in_a;
-  const bool was_followed = is_followed_;
-  if (was_followed) {
+  const bool was_known = is_motion_known_;
+  if (was_known) {
     const bvh::WideFront::MotionBound step =
         motion_of(query.tree_b.box(), now.units_b, rotation_, translation_, now);
-    intersection_front.move(step, queries_);
-    distance_front.move(step, queries_);
+    intersection_front.add_motion(step, queries_);
+    distance_front.add_motion(step, queries_);
   }
   for (int i = 0; i < 3; ++i) {
     std::copy_n(now.rotation[i], 3, rotation_[i]);
     translation_[i] = now.translation[i];
   }
-  is_followed_ = true;
+  is_motion_known_ = true;
   queries_ = 0;
-  return was_followed;
+  return was_known;
 }
 
 void PairCache::remember(std::span<const TrianglePair> found) {

@@ -72,16 +72,17 @@ class PairCache {
 
   /// Whether all placed triangles are surely farther apart than so many metres: by the gap that was
   /// proved last, less how far both meshes moved since.
-  bool are_beyond(double metres) const;
+  bool are_apart_by(double metres) const;
 
   /// The same for a query that this answers: counts it if so.
-  bool are_still_beyond(double metres, Work* work);
+  bool are_still_apart_by(double metres, Work* work);
 
   /// Takes note that in these poses no triangles are nearer than so many metres.
   void learn_gap(double metres);
 
-  /// Tells the fronts how far B has moved in A since the last call. False if this is the first.
-  bool follow(const WideQuery& query);
+  /// Adds to the motion of both fronts how far B has come in A since the last call. False if this
+  /// is the first.
+  bool add_motion(const WideQuery& query);
 
   std::span<const TrianglePair> pairs() const { return {pairs_.data(), pair_count_}; }
   void remember(std::span<const TrianglePair> found);
@@ -92,8 +93,8 @@ class PairCache {
   bool was_within = false;
   bool was_touching = false;    ///< when a distance was last asked for
   std::size_t pairs_found = 0;  ///< when all pairs were last asked for
-  MotionFront intersection_front{bvh::WideFront::Bounds::Intersection};
-  MotionFront distance_front{bvh::WideFront::Bounds::Distance};
+  MotionFront intersection_front{bvh::WideFront::Kind::Intersection};
+  MotionFront distance_front{bvh::WideFront::Kind::Distance};
   std::uint64_t still_apart = 0;
   std::uint64_t still_touching = 0;
 
@@ -116,9 +117,9 @@ class PairCache {
   NumberedPose gap_pose_b_;
   double gap_ = -1;  ///< metres, in the two poses above; below 0: unknown
 
-  double rotation_[3][3];  ///< of B in A, in common units, at the last follow()
+  double rotation_[3][3];  ///< of B in A, in common units, at the last set_poses()
   double translation_[3];
-  bool is_followed_ = false;
+  bool is_motion_known_ = false;
   static constexpr int kMostQueries = 1 << 20;
   int queries_ = 0;  ///< since then, at most kMostQueries
 

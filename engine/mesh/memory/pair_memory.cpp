@@ -92,13 +92,13 @@ class IntersectionQuery {
   /// Calls `on_pair(pair)` for each pair that meets, until it answers Stop. Returns false if there
   /// is no front that can answer: then it calls for none.
   template <typename OnPair>
-  bool pass_front(OnPair&& on_pair) {
-    if (cache_.intersection_front.rests() || !cache_.follow(query_)) return false;
+  bool ask_front(OnPair&& on_pair) {
+    if (cache_.intersection_front.rests() || !cache_.add_motion(query_)) return false;
     const bvh::RelativeFrame a_in_b = query_.a_in_b();
-    const auto pass =
-        cache_.intersection_front.pass(query_.tree_a, query_.tree_b, query_.b_in_a, a_in_b, 0);
+    const auto pass = cache_.intersection_front.start_pass(query_.tree_a, query_.tree_b,
+                                                           query_.b_in_a, a_in_b, 0);
     if (!pass) return false;
-    cache_.intersection_front.advance(*pass, 0, work_);
+    cache_.intersection_front.update(*pass, 0, work_);
     const bvh::WideFront& front = cache_.intersection_front.front();
     for (std::size_t i = 0; i < front.crossing_count(); ++i) {
       if (on_pair(query_.pair_at(front.crossing(i))) == bvh::Walk::Stop) return true;
@@ -164,7 +164,7 @@ HWY_NOINLINE bool do_surfaces_meet(const PlacedMeshView& mesh_a, const PlacedMes
     found[count++] = pair;
     return bvh::Walk::Stop;
   };
-  if (!was_apart || !query.pass_front(on_pair)) query.walk(on_pair);
+  if (!was_apart || !query.ask_front(on_pair)) query.walk(on_pair);
   cache.remember({found, count});
   return count > 0;
 }
@@ -182,7 +182,7 @@ HWY_NOINLINE TrianglePairs find_pairs(const PlacedMeshView& mesh_a, const Placed
   TrianglePairs found;
   IntersectionQuery query(mesh_a, mesh_b, cache, settings.touch, counted.work());
   if (query.are_far_apart()) return found;
-  const bool is_done = settings.threads == 1 && query.pass_front([&](TrianglePair pair) {
+  const bool is_done = settings.threads == 1 && query.ask_front([&](TrianglePair pair) {
     if (found.pairs.empty()) found.pairs.reserve(std::min(cache.pairs_found, settings.limit));
     found.pairs.push_back(pair);
     return found.pairs.size() > settings.limit ? bvh::Walk::Stop : bvh::Walk::Continue;
@@ -219,7 +219,7 @@ bool intersects(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b, Pair
       check_closed(mesh_b.mesh, "mesh B");
     }
     PairCache& cache = recall(memory, mesh_a, mesh_b);
-    if (!cache.are_still_beyond(0, work) &&
+    if (!cache.are_still_apart_by(0, work) &&
         do_surfaces_meet(mesh_a, mesh_b, cache, touch_of(settings.hit), work))
       return true;
     return settings.hit == Hit::Solid && is_one_inside(mesh_a, mesh_b, work);
@@ -233,7 +233,7 @@ TrianglePairs find_triangle_pairs(const PlacedMeshView& mesh_a, const PlacedMesh
     narrowphase::check_touch(settings.touch);
     check_threads(settings.threads);
     PairCache& cache = recall(memory, mesh_a, mesh_b);
-    if (cache.are_still_beyond(0, work)) return {};
+    if (cache.are_still_apart_by(0, work)) return {};
     return find_pairs(mesh_a, mesh_b, cache, settings, work);
   });
 }

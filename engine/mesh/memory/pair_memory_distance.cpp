@@ -36,20 +36,20 @@ class NearQuery {
   /// down meanwhile, until it answers Stop. Returns false if there is no front that can answer:
   /// then it calls for none.
   template <typename OnPair>
-  bool pass_front(OnPair&& on_pair) {
+  bool ask_front(OnPair&& on_pair) {
     MotionFront& near = cache_.distance_front;
-    if (near.rests() || !cache_.follow(query_)) return false;
-    auto pass =
-        near.pass(query_.tree_a, query_.tree_b, query_.b_in_a, query_.a_in_b(), box_limit_.units());
+    if (near.rests() || !cache_.add_motion(query_)) return false;
+    auto pass = near.start_pass(query_.tree_a, query_.tree_b, query_.b_in_a, query_.a_in_b(),
+                                box_limit_.units());
     if (!pass) return false;
     double direction_in_a[3];
     turn_into(direction_in_a, query_.a.pose, gap_.direction());
     pass->aim_along(direction_in_a);
-    near.advance(*pass, box_limit_.units(), work_);
+    near.update(*pass, box_limit_.units(), work_);
     bvh::WideFront& front = near.front();
-    for (std::size_t i = 0; i < front.candidate_count(); ++i) {
+    for (std::size_t i = 0; i < front.near_pair_count(); ++i) {
       if (!front.is_due(i, *pass, box_limit_.units())) continue;
-      const TrianglePair pair = query_.pair_at(front.candidate(i));
+      const TrianglePair pair = query_.pair_at(front.near_pair(i));
       const Triangle triangle_a = query_.triangle_a(pair);
       const Triangle triangle_b = query_.triangle_b(pair);
       const double end = gap_.end_of(triangle_a);
@@ -143,7 +143,7 @@ MeshDistance find_nearest(const WideQuery& meshes, TrianglePair pair, PairCache&
   MeshDistance best = result_of(known, pair);
   query.shrink_to(best.distance);
   query.aim_along(known);
-  const bool is_done = query.pass_front([&](TrianglePair other, const TriangleDistance& found) {
+  const bool is_done = query.ask_front([&](TrianglePair other, const TriangleDistance& found) {
     if (found.distance < best.distance) {
       best = result_of(found, other);
       query.shrink_to(best.distance);
@@ -152,8 +152,8 @@ MeshDistance find_nearest(const WideQuery& meshes, TrianglePair pair, PairCache&
     return best.distance == 0 ? bvh::Walk::Stop : bvh::Walk::Continue;
   });
   if (!is_done) {
-    best = cache.are_beyond(0) ? distance_apart(meshes, best.pair, work)
-                               : find_distance(meshes, best.pair, work);
+    best = cache.are_apart_by(0) ? distance_apart(meshes, best.pair, work)
+                                 : find_distance(meshes, best.pair, work);
   } else if (best.distance == 0) {
     best = find_distance(meshes, best.pair, work);  // it decides which touching pair is returned
   }
@@ -188,7 +188,7 @@ bool within(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b, double c
     check_clearance(clearance);
     check_hint(settings, mesh_a.mesh, mesh_b.mesh);
     PairCache& cache = recall(memory, mesh_a, mesh_b);
-    if (cache.are_still_beyond(clearance, work)) return false;
+    if (cache.are_still_apart_by(clearance, work)) return false;
     CountedWork counted(work);
     const WideQuery meshes(mesh_a, mesh_b, cache.deviation_a(), cache.deviation_b(),
                            counted.work());
@@ -211,7 +211,7 @@ bool within(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b, double c
     };
     // After a hit another is likelier than a gap.
     const bool was_within = cache.was_within;
-    if (was_within || !query.pass_front(on_pair)) {
+    if (was_within || !query.ask_front(on_pair)) {
       found = find_within(meshes, clearance, settings.hint, counted.work());
     }
     if (found) cache.nearest = found;

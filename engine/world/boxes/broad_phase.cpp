@@ -44,8 +44,8 @@ struct BroadPhase::State {
 
   IdTable<std::uint16_t> ids;  // two bytes a box
   bvh::OverlapTracker tracker;
-  std::mutex settling;
-  std::atomic<bool> is_settled{true};  // the trees fit the boxes
+  std::mutex preparing;
+  std::atomic<bool> is_ready{true};  // the trees fit the boxes
   BroadPhaseWork work;
 
   void check(BoxId id, const char* what) const {
@@ -56,16 +56,16 @@ struct BroadPhase::State {
                        {.element = "box", .index = id.index});
   }
 
-  void unsettle() { is_settled.store(false, std::memory_order_relaxed); }
+  void set_changed() { is_ready.store(false, std::memory_order_relaxed); }
 
   /// The boxes, ready for queries. The first query after a change sees to that, those that run at
   /// the same time wait for it.
-  const bvh::BoxSet& settled() {
-    if (!is_settled.load(std::memory_order_acquire)) {
-      const std::lock_guard lock(settling);
-      if (!is_settled.load(std::memory_order_relaxed)) {
+  const bvh::BoxSet& ready_set() {
+    if (!is_ready.load(std::memory_order_acquire)) {
+      const std::lock_guard lock(preparing);
+      if (!is_ready.load(std::memory_order_relaxed)) {
         tracker.prepare_for_queries();
-        is_settled.store(true, std::memory_order_release);
+        is_ready.store(true, std::memory_order_release);
       }
     }
     return tracker.set();
@@ -73,8 +73,8 @@ struct BroadPhase::State {
 
   /// Needs no bounds, but while others settle boxes may change places.
   bvh::OrderedBox box(std::uint32_t index) {
-    if (is_settled.load(std::memory_order_acquire)) return tracker.set().store().box(index);
-    const std::lock_guard lock(settling);
+    if (is_ready.load(std::memory_order_acquire)) return tracker.set().store().box(index);
+    const std::lock_guard lock(preparing);
     tracker.end_waiting();
     return tracker.set().store().box(index);
   }
@@ -96,7 +96,7 @@ BoxId BroadPhase::add(const Aabb& box) {
   return bvh::in_standard_arithmetic([&]() -> BoxId {
     bvh::check_box(box, "add");
     state_->ids.prepare_take();
-    state_->unsettle();
+    state_->set_changed();
     state_->tracker.insert(state_->ids.next(), box);
     const std::uint32_t index = state_->ids.take();
     return {index, state_->ids.generation(index)};
@@ -107,7 +107,7 @@ void BroadPhase::move(BoxId id, const Aabb& box) {
   bvh::in_standard_arithmetic([&] {
     state_->check(id, "move");
     bvh::check_box(box, "move");
-    state_->unsettle();
+    state_->set_changed();
     state_->tracker.move(id.index, box);
   });
 }
@@ -142,7 +142,7 @@ void BroadPhase::move(std::span<const BoxId> ids, std::span<const Aabb> boxes) {
       });
     }
     if (ids.empty()) return;
-    state.unsettle();
+    state.set_changed();
     const auto proxy_of = [&](std::size_t i) { return ids[i].index; };
     if (!state.tracker.are_many(ids.size())) {
       for (std::size_t i = 0; i < ids.size(); ++i)
@@ -161,7 +161,7 @@ void BroadPhase::remove(BoxId id) {
   bvh::in_standard_arithmetic([&] {
     state_->check(id, "remove");
     state_->ids.prepare_free();
-    state_->unsettle();
+    state_->set_changed();
     state_->tracker.erase(id.index);
     state_->ids.free(id.index);
   });
@@ -172,7 +172,7 @@ void BroadPhase::update() {
     State& state = *state_;
     const bool has_changed = state.tracker.update();
     ++state.work.updates;
-    state.is_settled = true;
+    state.is_ready = true;
     state.ids.next_round();
     if (!has_changed) return;
     state.work.searches_for_all = state.tracker.searches_for_all();
@@ -227,7 +227,7 @@ std::span<const BoxPair> BroadPhase::ended() {
 void BroadPhase::find_overlapping(const Aabb& box, std::vector<std::uint32_t>& indices) const {
   bvh::in_standard_arithmetic([&] {
     bvh::check_box(box, "find_overlapping");
-    state_->settled().search().find_overlapping(bvh::ordered_box(box), indices);
+    state_->ready_set().search().find_overlapping(bvh::ordered_box(box), indices);
   });
 }
 
@@ -244,7 +244,7 @@ void BroadPhase::visit_along(const Ray& ray, const RayBoxVisitor& visit) const {
       return bvh::in_users_arithmetic([&] { return visit(index); });
     };
     const auto look = [&](std::uint32_t index) { return limit_for(visited(index)); };
-    state_->settled().search().walk_along(slabs, limit, std::cref(look));
+    state_->ready_set().search().walk_along(slabs, limit, std::cref(look));
   });
 }
 

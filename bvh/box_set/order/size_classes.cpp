@@ -1,4 +1,4 @@
-#include <graze/bvh/box_set/order/size_groups.h>
+#include <graze/bvh/box_set/order/size_classes.h>
 #include <graze/bvh/box_set/store/block.h>
 
 #include <algorithm>
@@ -39,38 +39,39 @@ double cube_root(double x) {
   return root;
 }
 
-/// A group by what is in one cell.
-struct Group {
+/// A layer by what is in one cell.
+struct SharedLayer {
   double side;    // of its largest boxes
   double blocks;  // of them
 };
 
 /// Pairs of blocks that meet a cell, of so many in all, if blocks lie anywhere: each is as large as
 /// the space that its boxes share, and a box.
-double meetings(std::span<const Group> groups, double cell, double cells) {
+double meetings(std::span<const SharedLayer> layers, double cell, double cells) {
   double sum = 0;
-  for (std::size_t i = 0; i < groups.size(); ++i) {
-    const double side_i = cube_root(cell / groups[i].blocks) + groups[i].side;
-    for (std::size_t j = i; j < groups.size(); ++j) {
-      const double side = side_i + cube_root(cell / groups[j].blocks) + groups[j].side;
+  for (std::size_t i = 0; i < layers.size(); ++i) {
+    const double side_i = cube_root(cell / layers[i].blocks) + layers[i].side;
+    for (std::size_t j = i; j < layers.size(); ++j) {
+      const double side = side_i + cube_root(cell / layers[j].blocks) + layers[j].side;
       const double met = std::min(side * side * side / cell, cells);
-      sum += groups[i].blocks * groups[j].blocks * (i == j ? met / 2 : met);
+      sum += layers[i].blocks * layers[j].blocks * (i == j ? met / 2 : met);
     }
   }
   return sum;
 }
 
-std::vector<Group> merged(const std::vector<Group>& groups, std::size_t i) {
-  std::vector<Group> result = groups;
-  result[i] = {std::max(groups[i].side, groups[i + 1].side),
-               groups[i].blocks + groups[i + 1].blocks};
+std::vector<SharedLayer> merged(const std::vector<SharedLayer>& layers, std::size_t i) {
+  std::vector<SharedLayer> result = layers;
+  result[i] = {std::max(layers[i].side, layers[i + 1].side),
+               layers[i].blocks + layers[i + 1].blocks};
   result.erase(result.begin() + static_cast<std::ptrdiff_t>(i) + 1);
   return result;
 }
 
 }  // namespace
 
-std::vector<std::size_t> group_sizes(std::span<const SizeClass> classes, std::span<KdItem> sample) {
+std::vector<std::size_t> share_layers(std::span<const SizeClass> classes,
+                                      std::span<KdItem> sample) {
   std::vector<std::size_t> number;
   for (std::size_t i = 0; i < classes.size(); ++i)
     number.push_back(i);
@@ -78,17 +79,17 @@ std::vector<std::size_t> group_sizes(std::span<const SizeClass> classes, std::sp
   if (!(cell > 0 && std::isfinite(cell))) return number;
   const std::size_t whole_cells = sample.size() / kLanes;
   const auto cells = static_cast<double>(whole_cells);
-  std::vector<Group> groups;
+  std::vector<SharedLayer> layers;
   for (const SizeClass& of : classes)
-    groups.push_back({of.side, static_cast<double>(of.count) / kLanes / cells});
-  for (double now = meetings(groups, cell, cells); groups.size() > 1;) {
-    std::size_t best = groups.size();
-    for (std::size_t i = 0; i + 1 < groups.size(); ++i) {
-      const double then = meetings(merged(groups, i), cell, cells);
+    layers.push_back({of.side, static_cast<double>(of.count) / kLanes / cells});
+  for (double now = meetings(layers, cell, cells); layers.size() > 1;) {
+    std::size_t best = layers.size();
+    for (std::size_t i = 0; i + 1 < layers.size(); ++i) {
+      const double then = meetings(merged(layers, i), cell, cells);
       if (then < now) now = then, best = i;
     }
-    if (best == groups.size()) break;
-    groups = merged(groups, best);
+    if (best == layers.size()) break;
+    layers = merged(layers, best);
     for (std::size_t& of : number)
       of -= of > best;
   }

@@ -35,6 +35,6 @@ struct SizeClass {
 ///
 /// Returns for each class, in the order given, the number of its group, from 0 on. A guess at
 /// costs: no answer depends on it.
-std::vector<std::size_t> group_sizes(std::span<const SizeClass> classes, std::span<KdItem> sample);
+std::vector<std::size_t> share_layers(std::span<const SizeClass> classes, std::span<KdItem> sample);
 
 }  // namespace graze::bvh

@@ -1,7 +1,7 @@
 // Which classes of sizes share a tree: fewer trees where boxes lie far apart, none that a floor
 // would stretch. A guess at costs, so that the cases are clear ones.
 
-#include <graze/bvh/box_set/order/size_groups.h>
+#include <graze/bvh/box_set/order/size_classes.h>
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -22,7 +22,7 @@ std::vector<KdItem> lattice(std::uint32_t side) {
 
 std::vector<std::size_t> groups(const std::vector<SizeClass>& classes) {
   std::vector<KdItem> sample = lattice(8);
-  return group_sizes(classes, sample);
+  return share_layers(classes, sample);
 }
 
 using Numbers = std::vector<std::size_t>;
@@ -44,10 +44,10 @@ TEST(SizeGroups, KeepApartWhatOverlapsMuch) {
 
 TEST(SizeGroups, KeepApartWhatHasNoVolume) {
   std::vector<KdItem> sample(64);
-  EXPECT_EQ(group_sizes(std::vector<SizeClass>{{1, 32}, {4, 32}}, sample), Numbers({0, 1}));
-  EXPECT_EQ(group_sizes(std::vector<SizeClass>{{1, 32}, {4, 32}}, {}), Numbers({0, 1}));
-  EXPECT_EQ(group_sizes(std::vector<SizeClass>{{1, 32}}, sample), Numbers({0}));
-  EXPECT_EQ(group_sizes({}, {}), Numbers());
+  EXPECT_EQ(share_layers(std::vector<SizeClass>{{1, 32}, {4, 32}}, sample), Numbers({0, 1}));
+  EXPECT_EQ(share_layers(std::vector<SizeClass>{{1, 32}, {4, 32}}, {}), Numbers({0, 1}));
+  EXPECT_EQ(share_layers(std::vector<SizeClass>{{1, 32}}, sample), Numbers({0}));
+  EXPECT_EQ(share_layers({}, {}), Numbers());
 }
 
 }  // namespace
