@@ -11,8 +11,8 @@ namespace graze {
 class PairCache;
 
 /// What the last queries of one pair of meshes learned, for the next pose of a motion: how far
-/// apart the meshes certainly were, triangles that touched or were nearest, and where the last walk
-/// over the trees ended, with how far each box was from the other there. It saves time and changes
+/// apart the meshes certainly were, triangles that touched or were nearest, and where a descent
+/// over both trees ended, with how far each box was from the other there. It saves time and changes
 /// no answer, however the meshes jump between two queries. It keeps handles of the two meshes;
 /// asked about two others, or the same in the other order, it begins anew. One thread at a time may
 /// use it. It grows with what a query walks: some 230 bytes for each eight pairs of boxes, and 360

@@ -1,4 +1,4 @@
-// Forward error bounds as in orientation_filter.cpp: u is the unit roundoff, n the smallest double;
+// Forward error bounds as in predicates.cpp: u is the unit roundoff, n the smallest double;
 // P, Q, R, S are the largest components of the four differences, each of which is off by a factor
 // (1 + u).
 
@@ -17,7 +17,7 @@ constexpr double kUnitRoundoff = 0x1p-53;
 // with all second order below 0.01 u P Q.
 constexpr double kDotBound = 15 * kUnitRoundoff;
 
-// (p x q) . r: as kBound3d in orientation_filter.cpp, six monomials with eight roundings each:
+// (p x q) . r: as kBound3d in predicates.cpp, six monomials with eight roundings each:
 // 48.01 u P Q R.
 constexpr double kTripleBound = 50 * kUnitRoundoff;
 

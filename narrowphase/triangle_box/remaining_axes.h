@@ -1,7 +1,7 @@
 #pragma once
 
 // The axes of the triangle/box test that need arithmetic, and the error bounds of its rounded
-// stages: one pair at a time and many at once. Notation as in orientation_filter.cpp: u is the unit
+// stages: one pair at a time and many at once. Notation as in predicates.cpp: u is the unit
 // roundoff, n the smallest double.
 //
 // S is the sum of the absolute values of all fifteen coordinates: one number that bounds all sizes,

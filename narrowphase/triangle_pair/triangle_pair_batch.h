@@ -12,7 +12,7 @@
 namespace graze::narrowphase {
 
 // The rounded stages have one error bound for all determinants of a pair. Notation as in
-// orientation_filter.cpp: u is the unit roundoff, n the smallest double.
+// predicates.cpp: u is the unit roundoff, n the smallest double.
 //
 // X, Y, Z are the extents of the six vertices together, largest minus smallest coordinate, rounded.
 // Every difference of two of them is at most X, Y, Z even after rounding, which is monotonic. A

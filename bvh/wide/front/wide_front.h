@@ -14,11 +14,12 @@
 
 namespace graze::bvh {
 
-/// The front of the bounding volume test tree of two trees, which is where a walk over them ended,
-/// kept for the next pose of a motion: front tracking (Li and Chen, "Incremental 3D collision
-/// detection with hierarchical data structures", 1998; Ehmann and Lin, "Accurate and fast proximity
-/// queries between polyhedra using convex surface decomposition", 2001; Tang, Manocha, Lin and
-/// Tong, "Collision-streams: fast GPU-based collision detection for deformable models", 2011).
+/// The front of the bounding volume test tree of two trees, which is where its first pass, from
+/// both roots, ended, kept for the next poses of a motion: front tracking (Li and Chen,
+/// "Incremental 3D collision detection with hierarchical data structures", 1998; Ehmann and Lin,
+/// "Accurate and fast proximity queries between polyhedra using convex surface decomposition",
+/// 2001; Tang, Manocha, Lin and Tong, "Collision-streams: fast GPU-based collision detection for
+/// deformable models", 2011).
 ///
 /// It holds the pairs of a query box and the children of a tested node, the pairs of leaves, and
 /// the pairs of primitives that were compared. Each has planes that kept it out, and a budget: so

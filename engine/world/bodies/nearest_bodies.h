@@ -3,7 +3,10 @@
 #include <graze/engine/world/bodies/world_state.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <limits>
+#include <vector>
 
 namespace graze {
 
@@ -11,20 +14,53 @@ namespace graze {
 inline constexpr double kLargestDistance = std::numeric_limits<double>::max();
 inline constexpr double kBeyondAll = std::numeric_limits<double>::infinity();
 
-/// Calls `ask(index)` for bodies that are asked for, each once, until none that is left can be
-/// nearer to a box than what `ask` says is the least distance so far, `least` before it was ever
+/// No shape in one box is nearer to one in the other, by distance(): that knows distances to 2^-34
+/// of what coordinates add up to.
+inline double least_distance(const Aabb& a, const Aabb& b) {
+  double squares = 0;
+  double sizes = 0;
+  for (int k = 0; k < 3; ++k) {
+    const double low_a = a.min.data()[k], high_a = a.max.data()[k];
+    const double low_b = b.min.data()[k], high_b = b.max.data()[k];
+    const double gap = std::max(0.0, std::max(low_a - high_b, low_b - high_a));
+    squares += gap * gap;
+    sizes += (std::abs(low_a) + std::abs(high_a)) + (std::abs(low_b) + std::abs(high_b));
+  }
+  if (!(squares <= kLargestDistance)) return 0;
+  return std::sqrt(squares) * (1 - 0x1p-20) - 0x1p-28 * sizes;
+}
+
+/// A body, and what it is surely as far away as, metres.
+struct BodyAway {
+  double least;
+  std::uint32_t index;
+};
+
+/// Calls `ask(index)` for bodies that are asked for, each at most once, until none that is left can
+/// be nearer to a box than what `ask` says is the least distance so far, `least` before it was ever
 /// asked. Looks in boxes that grow until the nearest body is nearer than all outside can be; which
-/// it is in a box that is grown by its distance.
+/// it is in a box that is grown by its distance. Of those in a box it begins with the nearest
+/// boxes.
 template <typename Ask>
 void World::State::for_nearest(const Aabb& own, const BodyQuerySettings& query, double least,
                                const Ask& ask) const {
   std::vector<std::uint32_t> seen;  // ascending
+  std::vector<BodyAway> next;
   for (double width = least <= kLargestDistance ? least : width_of(own);; width *= 4) {
     const bool is_all = !(width < kLargestDistance);
     std::vector<std::uint32_t> found =
         find_bodies(grown(own, std::min(width, kLargestDistance)), query);
+    next.clear();
     for (const std::uint32_t index : found) {
-      if (!std::binary_search(seen.begin(), seen.end(), index)) least = ask(index);
+      if (std::binary_search(seen.begin(), seen.end(), index)) continue;
+      next.push_back({least_distance(own, broad.box(broad.id(all.bodies[index].box))), index});
+    }
+    std::sort(next.begin(), next.end(), [](const BodyAway& s, const BodyAway& t) {
+      return s.least != t.least ? s.least < t.least : s.index < t.index;
+    });
+    for (const BodyAway& body : next) {
+      if (body.least > least) break;
+      least = ask(body.index);
     }
     seen = std::move(found);
     if (is_all || least <= width || seen.size() == all.ids.live_count()) return;

@@ -12,7 +12,7 @@
 namespace graze::narrowphase {
 
 // The error bound by which rounded squares of distances are compared, for one pair at a time and
-// for many at once. Notation as in orientation_filter.cpp: u is the unit roundoff, n the smallest
+// for many at once. Notation as in predicates.cpp: u is the unit roundoff, n the smallest
 // double.
 //
 // s = (x x + y y) + z z, with x, y, z differences of inputs, and q = r r, with r an input or a sum

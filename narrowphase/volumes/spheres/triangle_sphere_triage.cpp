@@ -2,7 +2,7 @@
 // direction that separates; then one bound proves that *some* point of the triangle, the one with
 // the guessed weights, is within the radius, or that *this* direction separates, however it was
 // found. So the guess may be wrong: that costs a sure answer, never a right one. Notation as in
-// orientation_filter.cpp: u is the unit roundoff, n the smallest double.
+// predicates.cpp: u is the unit roundoff, n the smallest double.
 
 #include <graze/narrowphase/volumes/triangle_sphere.h>
 #include <algorithm>

@@ -254,6 +254,18 @@ TEST(ShapeWorld, QueriesFindFarBodiesAndFilterThem) {
   EXPECT_THROW(world.find_closest({grain, at(0, 0, 0)}), UnsupportedPairError);
 }
 
+// A user's own shape throws where its distance is asked.
+TEST(ShapeWorld, WhatBoxesSayIsFartherThanTheNearestIsNotMeasured) {
+  World world;
+  world.add({std::make_shared<Dot>(), at(0, 1.4, 0)});
+  const Shape ball = Sphere{{0, 0, 0}, 0.5};
+  EXPECT_THROW(world.find_closest({ball, at(0, 0, 0)}), UnsupportedPairError);
+  const BodyId near = world.add({Box{{0.5, 0.5, 0.5}}, at(1.2, 0, 0)});
+  EXPECT_EQ(world.find_closest({ball, at(0, 0, 0)})->id, near);
+  world.move(near, at(2.2, 0, 0));
+  EXPECT_THROW(world.find_closest({ball, at(0, 0, 0)}), UnsupportedPairError);
+}
+
 TEST(ShapeWorld, TakesShapesAsTheyAre) {
   World world;
   const BodyId floor = world.add({Box{{10, 10, 0.1}}, at(0, 0, 0)}, {.kind = BodyKind::Static});
