@@ -14,17 +14,24 @@ namespace graze {
 inline constexpr double kLargestDistance = std::numeric_limits<double>::max();
 inline constexpr double kBeyondAll = std::numeric_limits<double>::infinity();
 
+/// A box around a shape, and its pose.
+struct PosedBox {
+  const Aabb& box;
+  const Pose& pose;
+};
+
 /// No shape in one box is nearer to one in the other, by distance(): that knows distances to 2^-34
-/// of what coordinates add up to.
-inline double least_distance(const Aabb& a, const Aabb& b) {
+/// of what coordinates add up to, those of the poses included.
+inline double least_distance(const PosedBox& a, const PosedBox& b) {
   double squares = 0;
   double sizes = 0;
   for (int k = 0; k < 3; ++k) {
-    const double low_a = a.min.data()[k], high_a = a.max.data()[k];
-    const double low_b = b.min.data()[k], high_b = b.max.data()[k];
+    const double low_a = a.box.min.data()[k], high_a = a.box.max.data()[k];
+    const double low_b = b.box.min.data()[k], high_b = b.box.max.data()[k];
     const double gap = std::max(0.0, std::max(low_a - high_b, low_b - high_a));
     squares += gap * gap;
     sizes += (std::abs(low_a) + std::abs(high_a)) + (std::abs(low_b) + std::abs(high_b));
+    sizes += std::abs(a.pose.data()[12 + k]) + std::abs(b.pose.data()[12 + k]);
   }
   if (!(squares <= kLargestDistance)) return 0;
   return std::sqrt(squares) * (1 - 0x1p-20) - 0x1p-28 * sizes;
@@ -42,18 +49,19 @@ struct BodyAway {
 /// it is in a box that is grown by its distance. Of those in a box it begins with the nearest
 /// boxes.
 template <typename Ask>
-void World::State::for_nearest(const Aabb& own, const BodyQuerySettings& query, double least,
+void World::State::for_nearest(const PosedBox& own, const BodyQuerySettings& query, double least,
                                const Ask& ask) const {
   std::vector<std::uint32_t> seen;  // ascending
   std::vector<BodyAway> next;
-  for (double width = least <= kLargestDistance ? least : width_of(own);; width *= 4) {
+  for (double width = least <= kLargestDistance ? least : width_of(own.box);; width *= 4) {
     const bool is_all = !(width < kLargestDistance);
     std::vector<std::uint32_t> found =
-        find_bodies(grown(own, std::min(width, kLargestDistance)), query);
+        find_bodies(grown(own.box, std::min(width, kLargestDistance)), query);
     next.clear();
     for (const std::uint32_t index : found) {
       if (std::binary_search(seen.begin(), seen.end(), index)) continue;
-      next.push_back({least_distance(own, broad.box(broad.id(all.bodies[index].box))), index});
+      const Bodies::Body& body = all.bodies[index];
+      next.push_back({least_distance(own, {broad.box(broad.id(body.box)), body.pose}), index});
     }
     std::sort(next.begin(), next.end(), [](const BodyAway& s, const BodyAway& t) {
       return s.least != t.least ? s.least < t.least : s.index < t.index;

@@ -121,7 +121,7 @@ std::optional<BodyCast> World::State::cast_at(std::uint32_t index, const CastQue
   const RigidMotion rest(body.pose);
   Work work;
   const RigidContact found =
-      first_contact(cast.moving, {*shape, rest, "motion of shape B"}, cast.contact, work);
+      contact_of_moving(cast.moving, {*shape, rest, "motion of shape B"}, cast.contact, work);
   if (found.status == RigidStatus::Free) return std::nullopt;
   return BodyCast{all.id(index), found};
 }

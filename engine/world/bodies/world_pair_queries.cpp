@@ -249,7 +249,7 @@ std::optional<BodyPairDistance> World::find_closest(const PlacedWorldView& other
     bodies.for_each([&](std::uint32_t index, const PosedBody& posed, const Aabb& box,
                         const BodyQuerySettings& query) {
       if (!state_->asks_for_any(query)) return;
-      state_->for_nearest(box, query, least(), [&](std::uint32_t own) {
+      state_->for_nearest({box, posed.pose}, query, least(), [&](std::uint32_t own) {
         const PosedBody a = bodies.own(own);
         const auto found =
             NearestParts(a, state_->all.id(own), posed, bodies.id(index)).find(least());
@@ -277,7 +277,8 @@ std::optional<BodyPairDistance> World::find_closest_pair(const WorldPairSettings
       const BodyQuerySettings query{.filter = {}, .role = settings.role};
       if (!state_->is_asked_for(index, query)) continue;
       const PosedBody a = posed(index);
-      state_->for_nearest(box_with_room(a), query, least(), [&](std::uint32_t other) {
+      const Aabb box = box_with_room(a);
+      state_->for_nearest({box, a.pose}, query, least(), [&](std::uint32_t other) {
         if (other <= index || !(settings.has_filters ? all.may_meet(index, other) : true))
           return least();
         const PosedBody b = posed(other);

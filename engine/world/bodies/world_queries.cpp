@@ -134,7 +134,7 @@ std::optional<BodyDistance> World::find_closest(const PlacedShapeView& placed,
     const Aabb own = bounding_aabb(placed);
     std::optional<BodyDistance> best;
     if (!state_->asks_for_any(settings)) return best;
-    state_->for_nearest(own, settings, kBeyondAll, [&](std::uint32_t index) {
+    state_->for_nearest({own, placed.pose}, settings, kBeyondAll, [&](std::uint32_t index) {
       const auto next = state_->distance_to(index, placed, settings, kLargestDistance);
       if (next && (!best || is_nearer(*next, *best))) best = next;
       return best ? best->distance.distance : kBeyondAll;

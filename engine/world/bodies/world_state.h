@@ -209,6 +209,7 @@ struct PartnerSearch {
 
 struct CastQuery;     // what cast() asks
 struct BodyOnTheWay;  // and whom
+struct PosedBox;      // what find_closest() is asked about
 
 /// A body and a box around all places where it was since the last update.
 struct SweptBody {
@@ -343,7 +344,7 @@ struct World::State {
   std::optional<BodyDistance> distance_to(std::uint32_t index, const PlacedShapeView& placed,
                                           const BodyQuerySettings& query, double most) const;
   template <typename Ask>
-  void for_nearest(const Aabb& own, const BodyQuerySettings& query, double least,
+  void for_nearest(const PosedBox& own, const BodyQuerySettings& query, double least,
                    const Ask& ask) const;
   PosedBody posed(std::uint32_t index) const;
   std::vector<BodyOnTheWay> find_on_the_way(const CastQuery& cast) const;

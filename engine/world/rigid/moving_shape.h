@@ -35,8 +35,8 @@ struct MovingShape {
 };
 
 /// first_contact() of two shapes, by settings that were checked.
-RigidContact first_contact(const MovingShape& a, const MovingShape& b,
-                           const RigidContactSettings& settings, Work& work);
+RigidContact contact_of_moving(const MovingShape& a, const MovingShape& b,
+                               const RigidContactSettings& settings, Work& work);
 
 /// A box that holds the shape at every t; for half-spaces and planes all that there is.
 Aabb swept_bounds(const MovingShape& moving);

@@ -151,8 +151,8 @@ RigidContact contact_of_plane(const MovingShape& a, const MovingShape& b,
 
 }  // namespace
 
-RigidContact first_contact(const MovingShape& a, const MovingShape& b,
-                           const RigidContactSettings& settings, Work& work) {
+RigidContact contact_of_moving(const MovingShape& a, const MovingShape& b,
+                               const RigidContactSettings& settings, Work& work) {
   const PlacedShapeView start_a{a.shape, a.motion.start()}, start_b{b.shape, b.motion.start()};
   if (has_field(start_a, start_b)) return contact_of_field(a, b, settings, work);
   if (has_plane(start_a, start_b)) return contact_of_plane(a, b, settings, work);
@@ -171,8 +171,8 @@ RigidContact first_contact(const Shape& shape_a, const RigidMotion& motion_a, co
   return bvh::in_standard_arithmetic([&]() -> RigidContact {
     CountedWork counted(work);
     check_settings(settings);
-    return first_contact({shape_a, motion_a, "motion of shape A"},
-                         {shape_b, motion_b, "motion of shape B"}, settings, counted.work());
+    return contact_of_moving({shape_a, motion_a, "motion of shape A"},
+                             {shape_b, motion_b, "motion of shape B"}, settings, counted.work());
   });
 }
 

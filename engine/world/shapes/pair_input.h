@@ -28,7 +28,8 @@ bool intersect_in_boxes(const PlacedShapeView& a, const PlacedShapeView& b, Work
 bool intersect_checked(const PlacedShapeView& a, const PlacedShapeView& b, Work& work);
 ShapeDistance distance_of_checked(const PlacedShapeView& a, const PlacedShapeView& b, Work& work);
 
-/// find_contacts() of what intersect_in_boxes() takes, in the place of what `found` held: its memory is used again.
+/// find_contacts() of what intersect_in_boxes() takes, in the place of what `found` held: its
+/// memory is used again.
 void contacts_in_boxes(const PlacedShapeView& a, const PlacedShapeView& b, Work& work,
                        Manifold& found);
 
