@@ -52,6 +52,7 @@
 #include <graze/engine/world/body.h>
 #include <graze/engine/world/broad_phase.h>
 #include <graze/engine/world/compound.h>
+#include <graze/engine/world/contact_tracker.h>
 #include <graze/engine/world/convex_hull.h>
 #include <graze/engine/world/height_field.h>
 #include <graze/engine/world/ids.h>

@@ -18,7 +18,8 @@ namespace graze {
 
 /// Which parts of two shapes meet in a contact: corners, edges and faces by numbers of the shape's
 /// own, the same in every pose. Where the same parts meet in the next step, the feature is the
-/// same, so that a solver can start from what it found before. Unique within a manifold.
+/// same, so that a solver can start from what it found before; which contacts go on a
+/// ContactTracker says (contact_tracker.h). Unique within a manifold.
 struct ContactFeature {
   std::uint64_t a;  ///< of A, by a number of its own
   std::uint64_t b;  ///< of B

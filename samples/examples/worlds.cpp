@@ -155,6 +155,18 @@ void who_is_with_whom() {
   world.wake(world.island(lower));
 }
 
+void which_contacts_go_on() {
+  graze::World world;
+  world.add({graze::Box{{5, 5, 0.5}}, at(0, 0, -0.5)}, {.kind = graze::BodyKind::Static});
+  const graze::BodyId ball = world.add({kBall, at(0, 0, 0.499)});
+  graze::ContactTracker tracker;
+  tracker.take(world, world.update());
+  const std::uint64_t first = tracker.ids(0)[0];
+  world.move(ball, at(0.1, 0, 0.499));
+  tracker.take(world, world.update());
+  expect(tracker.ids(0)[0] == first && tracker.size() == 1, "a ball that rolls has one contact");
+}
+
 /// Counts what a renderer would show.
 class Counter : public graze::WorldDrawer {
  public:
@@ -189,6 +201,7 @@ int main() {
   what_is_near(world, floor, ball);
   a_world_in_another();
   who_is_with_whom();
+  which_contacts_go_on();
   world.update();
   how_it_looks(world);
   world.remove(ball);

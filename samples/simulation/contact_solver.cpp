@@ -73,33 +73,43 @@ void ContactSolver::take(const World& world, const WorldUpdate& update,
     }
     touches_.erase(found);
   }
-  for (const BodyContact& contact : update.contacts) {
+  tracker_.take(world, update);
+  std::vector<Point> before;  // of the pair
+  for (std::size_t i = 0; i < update.contacts.size(); ++i) {
+    const BodyContact& contact = update.contacts[i];
+    const std::span<const std::uint64_t> ids = tracker_.ids(i);
     Touch& touch = touches_[contact.pair];
     touch.a = world.user_data(contact.pair.a);
     touch.b = world.user_data(contact.pair.b);
     touch.friction = std::sqrt(friction_of(touch.a, bodies) * friction_of(touch.b, bodies));
-    const std::vector<Point> before = std::exchange(touch.points, {});
+    // Parts of a compound stand one after the other.
+    const auto is_of_pair = [&](std::size_t other) {
+      return other < update.contacts.size() && update.contacts[other].pair == contact.pair;
+    };
+    if (i == 0 || !is_of_pair(i - 1)) before = std::exchange(touch.points, {});
     const Pose to_a = world.pose(contact.pair.a).inverse();
     const Pose to_b = world.pose(contact.pair.b).inverse();
-    for (const ShapeContact& c : contact.manifold) {
+    for (std::size_t k = 0; k < ids.size(); ++k) {
+      const ShapeContact& c = contact.manifold[k];
       Point point;
-      point.feature = c.feature;
+      point.id = ids[k];
       point.anchor_a = to_a * c.point;
       point.anchor_b = to_b * c.point;
       point.depth = c.depth;
       point.axis[0] = c.normal;
       point.axis[1] = c.normal.unitOrthogonal();
       point.axis[2] = c.normal.cross(point.axis[1]);
-      if (const Point* old = before_of(point, before)) {
+      const auto old = std::ranges::find(before, point.id, &Point::id);
+      if (old != before.end()) {
         // Friction is kept as a vector: the axes across the normal turn where the normal does.
         const Vector3d across = old->impulse[1] * old->axis[1] + old->impulse[2] * old->axis[2];
         point.impulse[0] = old->impulse[0];
-        for (int k = 1; k < 3; ++k)
-          point.impulse[k] = across.dot(point.axis[k]);
+        for (int axis = 1; axis < 3; ++axis)
+          point.impulse[axis] = across.dot(point.axis[axis]);
       }
       touch.points.push_back(point);
     }
-    if (settings_.keeps_push && !before.empty())
+    if (settings_.keeps_push && !before.empty() && !is_of_pair(i + 1))
       keep_push(world.pose(contact.pair.a), before, touch.points);
   }
 }
@@ -141,19 +151,6 @@ void ContactSolver::keep_push(const Pose& pose_a, const std::vector<Point>& befo
     double& impulse = points[i].impulse[0];
     impulse = std::max(impulse + more[static_cast<Eigen::Index>(i)], 0.0);
   }
-}
-
-const ContactSolver::Point* ContactSolver::before_of(const Point& point,
-                                                     const std::vector<Point>& before) const {
-  const auto distance = [&](const Point& old) {  // on the body on which it has moved less
-    return std::min((old.anchor_a - point.anchor_a).norm(), (old.anchor_b - point.anchor_b).norm());
-  };
-  if (settings_.same_place > 0) {
-    const auto nearest = std::ranges::min_element(before, {}, distance);
-    if (nearest != before.end() && distance(*nearest) < settings_.same_place) return &*nearest;
-  }
-  const auto same = std::ranges::find(before, point.feature, &Point::feature);
-  return same == before.end() ? nullptr : &*same;
 }
 
 double ContactSolver::friction_of(std::uint64_t index, std::span<const RigidBody> bodies) const {

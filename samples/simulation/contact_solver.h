@@ -1,5 +1,8 @@
 #pragma once
 
+#include <graze/engine/world/contact_tracker.h>
+
+#include <cstdint>
 #include <map>
 #include <span>
 #include <vector>
@@ -19,7 +22,6 @@ struct SolverSettings {
   double push_speed = 0.3;  // metres a second, at most
   double hertz = 0;         // if more: overlaps are pushed apart as by a spring of that frequency
   double damping = 10;      // and by a damper, of so many times the critical damping
-  double same_place = 0;  // metres: nearer than that, contacts are the same without their features
   bool keeps_push =
       false;  // contacts found anew start from all that those before pushed and turned
   double wake_speed = 0.25;  // metres a second, at which a body that arrives wakes one that sleeps
@@ -30,9 +32,8 @@ struct SolverSettings {
 /// Sequential impulses (E. Catto, "Iterative Dynamics with Temporal Coherence", 2005). It knows
 /// bodies by their World::user_data(), the index in the span of bodies; what is no body of the span
 /// does not move. Contacts are kept until the world tells of newer ones or of their end, and start
-/// from the impulses that contacts of the same features had before. In between, the depth follows
-/// from how far their points have come. Two surfaces rub with the geometric mean of their
-/// coefficients.
+/// from the impulses that they had before (ContactTracker). In between, the depth follows from how
+/// far their points have come. Two surfaces rub with the geometric mean of their coefficients.
 class ContactSolver {
  public:
   explicit ContactSolver(const SolverSettings& settings) : settings_(settings) {}
@@ -56,7 +57,7 @@ class ContactSolver {
 
  private:
   struct Point {
-    ContactFeature feature;
+    std::uint64_t id = 0;                // ContactTracker's
     Eigen::Vector3d anchor_a, anchor_b;  // in the frames of the bodies, or of the world
     double depth = 0;                    // where it was found
     Eigen::Vector3d axis[3];             // the normal, from A to B, and two across it
@@ -78,8 +79,6 @@ class ContactSolver {
     double rate, mass_share, impulse_share;
   };
 
-  /// What a contact found anew starts from, if there is anything.
-  const Point* before_of(const Point& point, const std::vector<Point>& before) const;
   /// Adds what the impulses of a pair's contacts lack of the push of those before, or of its
   /// moment.
   static void keep_push(const Pose& pose_a, const std::vector<Point>& before,
@@ -93,6 +92,7 @@ class ContactSolver {
              std::span<RigidBody> bodies) const;
 
   SolverSettings settings_;
+  ContactTracker tracker_;
   std::map<BodyPair, Touch> touches_;
   std::vector<Touch*> active_;
 };

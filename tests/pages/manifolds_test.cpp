@@ -4,8 +4,10 @@
 #include <graze/graze.h>
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tests/shapes/pose_at.h"
@@ -29,7 +31,7 @@ TEST(ManifoldPrograms, KeepABoxOnItsFloorUntilItSleeps) {
 
   double still_for = 0;
   bool has_touched = false;
-  for (int i = 0; i < 450 && world.is_awake(box); ++i) {
+  for (int step = 0; step < 450 && world.is_awake(box); ++step) {
 #include "manifolds_3.inc"
     wake(update);
     velocity.z() -= 9.81 * kStep;

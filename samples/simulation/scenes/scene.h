@@ -47,12 +47,8 @@ struct Scene {
   int substeps = 4;         ///< in which the solver moves bodies by these contacts
   double gravity = 9.81;    ///< m/s^2
   /// Of a substep; its length is said above. Bodies are about half a metre wide.
-  SolverSettings solver = {.iterations = 6,
-                           .relaxations = 2,
-                           .slop = 5e-4,
-                           .hertz = 60,
-                           .same_place = 0.01,
-                           .keeps_push = true};
+  SolverSettings solver = {
+      .iterations = 6, .relaxations = 2, .slop = 5e-4, .hertz = 60, .keeps_push = true};
 };
 
 /// Whether bodies are shapes of formulas, or the closed meshes of their surfaces.

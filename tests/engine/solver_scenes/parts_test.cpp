@@ -3,7 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <graze/bvh/error.h>
+#include <graze/engine/world/compound.h>
 
+#include <vector>
+
+#include "samples/simulation/contact_solver.h"
 #include "samples/simulation/integrator.h"
 #include "samples/simulation/scenes/parts.h"
 #include "samples/simulation/shape_mass.h"
@@ -54,6 +58,38 @@ TEST(Integrator, ATumblingBodyGainsNoEnergyAndKeepsMostOfIt) {
   }
   EXPECT_GT(before, 0.9 * first);
   EXPECT_GT((body.spin - Eigen::Vector3d(0.1, 0.2, 3)).norm(), 1e-3);
+}
+
+// Of a compound each part has contacts of its own: those of the last part took the place of all.
+TEST(ContactSolver, HoldsWhatStandsOnSeveralParts) {
+  World world;
+  Compound table;
+  for (const double x : {-1.0, 0.0, 1.0}) {
+    Pose at = Pose::Identity();
+    at.translation().x() = x;
+    table.add({Sphere{{0, 0, 0}, 0.25}, at});
+  }
+  world.add({HalfSpace{{0, 0, 1}}}, {.kind = BodyKind::Static, .user_data = ContactSolver::kFixed});
+  const MassProperties mass = mass_properties(Shape(Box{{1, 0.25, 0.25}}), 1000);
+  std::vector<RigidBody> bodies(1, {.id = {},
+                                    .mass = &mass,
+                                    .at = {0, 0, 0.249},
+                                    .turn = Eigen::Quaterniond::Identity(),
+                                    .reach = 1.25});
+  bodies[0].id = world.add(PlacedBodyShape{share(table), bodies[0].pose()}, {.user_data = 0});
+  ContactSolver solver({.step = 1.0 / 150, .keeps_push = true});
+  std::vector<std::size_t> woken;
+  for (int step = 0; step < 60; ++step) {
+    solver.take(world, world.update(), bodies, woken);
+    EXPECT_EQ(solver.contact_count(), 3u);
+    bodies[0].velocity.z() -= 9.81 / 150;
+    solver.solve(bodies, woken);
+    advance(bodies[0], 1.0 / 150);
+    solver.relax(bodies);
+    world.move(bodies[0].id, bodies[0].pose());
+  }
+  EXPECT_NEAR(bodies[0].at.z(), 0.25, 2e-3);
+  EXPECT_LT(bodies[0].velocity.norm() + bodies[0].spin.norm(), 1e-3);
 }
 
 }  // namespace

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+
+#include <graze/engine/world/world.h>
+
+namespace graze {
+
+/// How a ContactTracker() recognises contacts.
+struct ContactTrackerSettings {
+  /// How far a contact may be from where the bodies took an old one for it to be the same, as a
+  /// share of the smaller body's size: finite and not negative.
+  double same_place = 0.01;
+};
+
+/// Which contacts of a world go on from one update to the next: a number for each contact, the same
+/// as long as it goes on, and never given to another one. That is what a solver keeps impulses by.
+/// A ContactFeature says which parts meet, from the poses alone: where a round mesh rolls from
+/// facet to facet, or what lies trembles, features change although the contact goes on, and where a
+/// piece of two meshes is suddenly left by another facet a feature stays although it does not.
+///
+/// Law 15, 4: while a number lasts, and no point of the two bodies moves by more than m, the depth
+/// changes by at most 2 m and a millionth of the smaller size, and the normal, while m is at most a
+/// ten-thousandth of that size, by at most one degree. It is kept by asking, with an m that is no
+/// more than the law's: how far the points of the pair's contacts move with their bodies. Beyond a
+/// ten-thousandth of the size the normal may change by a degree more for each, up to 30. Contacts
+/// go on by their places first, nearest ones first, measured on the body along which the contact
+/// moved less; then by their features. What an update does not list stays as it is.
+///
+/// It is for one world. Not for use by several threads at once. Time: of each contact listed a hash
+/// lookup, and the square of the number of contacts in its manifold; memory: 200 bytes a contact.
+class ContactTracker {
+ public:
+  /// Throws InputError for settings that are none.
+  explicit ContactTracker(const ContactTrackerSettings& settings = {});
+  ~ContactTracker();
+  ContactTracker(ContactTracker&&) noexcept;
+  ContactTracker& operator=(ContactTracker&&) noexcept;
+
+  /// Takes what an update said: of each one, in turn, before a body is moved again. After
+  /// World::restore() begin with a new tracker. Throws StaleIdError for bodies that are gone.
+  void take(const World& world, const WorldUpdate& update);
+
+  /// The numbers of the contacts of `update.contacts[index]` as last taken, in their order, each
+  /// above 0. Valid until take(). Throws InputError for an index out of range.
+  std::span<const std::uint64_t> ids(std::size_t index) const;
+
+  /// How many contacts are known, listed by the last update or not.
+  std::size_t size() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace graze
