@@ -13,6 +13,13 @@ struct Counts {
   std::size_t contacts = 0;  // of those, in the hands of who asked
 };
 
+/// Shares of contacts; negative if they are not known.
+struct Lasting {
+  double by_features = -1;  // that have the features of one of the step before
+  double by_tracker = -1;   // that go on as ContactTracker says
+  double tracker_ms = 0;    // what it takes to know that
+};
+
 /// A world under measurement: poses in, contacts of all pairs that touch out, frame by frame.
 class Contestant {
  public:
@@ -22,9 +29,9 @@ class Contestant {
   /// What is timed: every body is where the frame says.
   virtual Counts step(const Frame& frame) = 0;
 
-  /// What share of contacts has the features of one of the step before, of the pairs that touched
-  /// then; not timed. Negative if it is not known.
-  virtual double kept_features() { return -1; }
+  /// What share of contacts goes on from the step before, of the pairs that touched then; not
+  /// timed.
+  virtual Lasting lasting() { return {}; }
 };
 
 struct Peer {

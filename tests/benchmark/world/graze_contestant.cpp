@@ -1,8 +1,12 @@
-#include <graze/engine/world/world.h>
+#include <graze/engine/world/contact_tracker.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <map>
+#include <span>
+#include <vector>
 
+#include "tests/benchmark/common/thread_clock.h"
 #include "tests/benchmark/world/contestant.h"
 
 namespace graze::benchmark {
@@ -22,36 +26,50 @@ class Graze final : public Contestant {
 
   Counts step(const Frame& frame) override {
     world_.move(ids_, frame);
-    const WorldUpdate update = world_.update();
-    contacts_ = update.contacts;
-    Counts counts{contacts_.size(), 0};
-    for (const BodyContact& contact : contacts_)
+    update_ = world_.update();
+    Counts counts{update_.contacts.size(), 0};
+    for (const BodyContact& contact : update_.contacts)
       counts.contacts += contact.manifold.size();
     return counts;
   }
 
-  double kept_features() override {
-    std::size_t kept = 0, all = 0;
-    std::map<BodyPair, Manifold> now;
-    for (const BodyContact& contact : contacts_) {
-      now[contact.pair] = contact.manifold;
-      const auto before = before_.find(contact.pair);
+  Lasting lasting() override {
+    const ThreadClock clock;
+    tracker_.take(world_, update_);
+    Lasting result{.tracker_ms = clock.nanoseconds() * 1e-6};
+    std::size_t by_features = 0, by_tracker = 0, all = 0;
+    std::map<BodyPair, Told> now;
+    for (std::size_t i = 0; i < update_.contacts.size(); ++i) {
+      const auto& [pair, manifold] = update_.contacts[i];
+      const std::span<const std::uint64_t> ids = tracker_.ids(i);
+      now[pair] = {manifold, {ids.begin(), ids.end()}};
+      const auto before = before_.find(pair);
       if (before == before_.end()) continue;
-      for (const ShapeContact& point : contact.manifold) {
-        kept += std::any_of(before->second.begin(), before->second.end(),
-                            [&](const ShapeContact& c) { return c.feature == point.feature; });
-        ++all;
-      }
+      for (const ShapeContact& point : manifold)
+        by_features +=
+            std::ranges::count(before->second.manifold, point.feature, &ShapeContact::feature);
+      for (const std::uint64_t id : ids)
+        by_tracker += std::ranges::count(before->second.ids, id);
+      all += ids.size();
     }
     before_ = std::move(now);
-    return all == 0 ? -1 : static_cast<double>(kept) / static_cast<double>(all);
+    if (all == 0) return result;
+    result.by_features = static_cast<double>(by_features) / static_cast<double>(all);
+    result.by_tracker = static_cast<double>(by_tracker) / static_cast<double>(all);
+    return result;
   }
 
  private:
+  struct Told {
+    Manifold manifold;
+    std::vector<std::uint64_t> ids;
+  };
+
   World world_;
   std::vector<BodyId> ids_;
-  std::span<const BodyContact> contacts_;
-  std::map<BodyPair, Manifold> before_;
+  WorldUpdate update_;
+  ContactTracker tracker_;
+  std::map<BodyPair, Told> before_;
 };
 
 }  // namespace

@@ -34,7 +34,7 @@ struct Running {
   std::unique_ptr<Contestant> contestant;
   std::vector<double> milliseconds = {};
   Counts counts = {};
-  double kept = -1;
+  Lasting lasting = {};
 };
 
 double rounded(double value) {
@@ -50,14 +50,14 @@ Json contest(const Scene& scene, const std::vector<Frame>& path,
   for (const Entry& entry : entries) {
     all.push_back({.name = entry.name, .contestant = entry.make()});
     all.back().contestant->start(scene, path.front());
-    all.back().contestant->kept_features();
+    all.back().contestant->lasting();
   }
   for (std::size_t i = 1; i < path.size(); ++i) {
     for (Running& running : all) {
       const ThreadClock clock;
       running.counts = running.contestant->step(path[i]);
       running.milliseconds.push_back(clock.nanoseconds() * 1e-6);
-      running.kept = running.contestant->kept_features();
+      running.lasting = running.contestant->lasting();
     }
   }
   Json rows = Json::array();
@@ -67,12 +67,21 @@ Json contest(const Scene& scene, const std::vector<Frame>& path,
     if (&running != all.data()) best = std::min(best, time);
     std::printf("%-6s %-22s %10.3f ms %8zu pairs %8zu contacts", scene.name.c_str(),
                 running.name.c_str(), time, running.counts.pairs, running.counts.contacts);
-    std::printf(running.kept < 0 ? "\n" : ", %.0f %% keep their features\n", 100 * running.kept);
+    const Lasting& lasting = running.lasting;
+    if (lasting.by_features >= 0) {
+      std::printf(", %.0f %% keep their features; %.0f %% go on, which takes %.3f ms to know",
+                  100 * lasting.by_features, 100 * lasting.by_tracker, lasting.tracker_ms);
+    }
+    std::printf("\n");
     Json row = {{"contestant", running.name},
                 {"median_ms", rounded(time)},
                 {"pairs", running.counts.pairs},
                 {"contacts", running.counts.contacts}};
-    if (running.kept >= 0) row["kept_features"] = rounded(running.kept);
+    if (lasting.by_features >= 0) {
+      row["kept_features"] = rounded(lasting.by_features);
+      row["kept_ids"] = rounded(lasting.by_tracker);
+      row["tracker_ms"] = rounded(lasting.tracker_ms);
+    }
     rows.push_back(row);
   }
   if (all.size() > 1)
