@@ -301,6 +301,29 @@ TEST(MeshDistance, OnePairAroundNearestVerticesIsComputed) {
   EXPECT_LT(work.triangle_tests, 700u) << "900 if all of them are computed";
 }
 
+Work work_of_soups_apart(double size, double offset) {
+  RandomSource source(103);
+  const Mesh soup = random_soup({.count = 500, .extent = 1, .size = size}, source);
+  Work work;
+  for (int n = 0; n < 20; ++n) {
+    Pose aside = random_pose(0, source);
+    aside.translation() = offset * source.vector(-1, 1).normalized();
+    distance({soup}, {soup, aside}, {}, &work);
+  }
+  return work;
+}
+
+// Corners of large triangles say little of how near these are: their nearest points are the limit.
+TEST(MeshDistance, NearestPointsOfLargeTrianglesAreALimit) {
+  EXPECT_LT(work_of_soups_apart(1, 6).triangle_tests, 75u) << "100 with a limit by corners alone";
+}
+
+// Each leaf may bring the limit down, so that those behind it need not be looked at.
+TEST(MeshDistance, NearerLeavesAreComparedFirst) {
+  EXPECT_LT(work_of_soups_apart(0.2, 3.2).filter_tests, 3400u)
+      << "3,800 if farther ones are compared first";
+}
+
 TEST(Law10MeshDistance, BadInputIsRefusedAndNamed) {
   const Mesh mesh = tests::make_sphere(1, 4, 4);
   Pose bad = Pose::Identity();

@@ -36,12 +36,13 @@ HWY_INLINE hn::Vec<AnyTag> along(AnyTag tag, const float (&direction)[3],
       hn::MulAdd(p[1], hn::Set(tag, direction[1]), hn::Mul(p[2], hn::Set(tag, direction[2]))));
 }
 
-/// Lower bounds of the squared distances of pairs: along a direction, by boxes along the axes of
-/// the tested node's tree, and by the planes of both.
+/// Lower bounds of the squared distances of pairs: along a direction, and by boxes along the axes
+/// of the tested node's tree.
 template <typename AnyTag>
-HWY_INLINE hn::Vec<AnyTag> squared_gaps(AnyTag tag, const PairBoxes<AnyTag>& boxes,
-                                        const PairTriangles<AnyTag>& triangles, float leaf_error,
-                                        const float (&direction)[3], float unit_of_tested) {
+HWY_INLINE hn::Vec<AnyTag> squared_box_gaps(AnyTag tag, const PairBoxes<AnyTag>& boxes,
+                                            const PairTriangles<AnyTag>& triangles,
+                                            float leaf_error, const float (&direction)[3],
+                                            float unit_of_tested) {
   const auto unit = hn::Set(tag, unit_of_tested);
   const auto error = hn::Set(tag, leaf_error);
   auto of_boxes = hn::Zero(tag);
@@ -51,9 +52,6 @@ HWY_INLINE hn::Vec<AnyTag> squared_gaps(AnyTag tag, const PairBoxes<AnyTag>& box
   }
   const auto& tested = triangles.tested;
   const auto& query = triangles.query;
-  const auto bound = height_error(tag, boxes.extent, error);
-  const auto of_query = beyond_plane(Heights<AnyTag>(tested, query), tested.normal, bound);
-  const auto of_tested = beyond_plane(Heights<AnyTag>(query, tested), query.normal, bound);
   auto end = along(tag, direction, tested.corner[0]);
   auto start = along(tag, direction, query.corner[0]);
   for (int c = 1; c < 3; ++c) {
@@ -63,8 +61,22 @@ HWY_INLINE hn::Vec<AnyTag> squared_gaps(AnyTag tag, const PairBoxes<AnyTag>& box
   // Along a unit vector an error in each of three coordinates counts 1.74 times, that of the
   // products once more.
   const auto gap = known(tag, hn::Sub(hn::Sub(start, end), hn::Mul(error, hn::Set(tag, 4.0f))));
-  const auto step = hn::Mul(hn::Max(gap, hn::Max(of_tested, of_query)), unit);
+  const auto step = hn::Mul(gap, unit);
   return hn::Max(of_boxes, hn::Mul(step, step));
+}
+
+/// The same by the planes of both.
+template <typename AnyTag>
+HWY_INLINE hn::Vec<AnyTag> squared_plane_gaps(AnyTag tag, const PairBoxes<AnyTag>& boxes,
+                                              const PairTriangles<AnyTag>& triangles,
+                                              float leaf_error, float unit_of_tested) {
+  const auto& tested = triangles.tested;
+  const auto& query = triangles.query;
+  const auto bound = height_error(tag, boxes.extent, hn::Set(tag, leaf_error));
+  const auto of_query = beyond_plane(Heights<AnyTag>(tested, query), tested.normal, bound);
+  const auto of_tested = beyond_plane(Heights<AnyTag>(query, tested), query.normal, bound);
+  const auto step = hn::Mul(hn::Max(of_tested, of_query), hn::Set(tag, unit_of_tested));
+  return hn::Mul(step, step);
 }
 
 /// The squared distances of the nearest corners of pairs.

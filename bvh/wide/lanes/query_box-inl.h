@@ -86,6 +86,14 @@ HWY_INLINE WideChildRef first_below(const WideTree& tree, const WideChildRef& ch
   return {tree.entered(index, counts).nodes.data(), 0, index};
 }
 
+/// The bits of the children that are leaves.
+HWY_INLINE std::uint32_t leaf_lanes(const WideNode& node) {
+  std::uint32_t lanes = 0;
+  for (std::uint32_t lane = 0; lane < WideNode::kWidth; ++lane)
+    lanes |= static_cast<std::uint32_t>(ChildLink::is_leaf(node.child[lane])) << lane;
+  return lanes;
+}
+
 /// The one of these lanes that has the largest key: what is pushed first is looked at last.
 HWY_INLINE std::uint32_t farthest(std::uint32_t lanes, const float* keys) {
   auto lane = static_cast<std::uint32_t>(std::countr_zero(lanes));

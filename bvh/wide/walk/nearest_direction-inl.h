@@ -133,30 +133,52 @@ HWY_INLINE void consider_edges(Shortest& shortest, const TriangleEdges& tested, 
   shortest.consider_where(hn::Ge(square, hn::Zero(tag)), offset, square);
 }
 
+/// A triangle, for the corners of the other.
+struct Face {
+  Vectors inward[3];  ///< across each edge
+
+  HWY_INLINE Face(const TriangleEdges& triangle, const Vectors& normal) {
+    for (int k = 0; k < 3; ++k)
+      inward[k] = cross(normal, triangle.edge[k]);
+  }
+};
+
 /// A corner above or below a triangle; `to_corner` leads there from each corner of the triangle.
-/// `sign` is 1 if the triangle is the tested primitive, and -1 if it is the query's.
-HWY_INLINE void consider_face(Shortest& shortest, const TriangleEdges& triangle,
-                              const Vectors& normal, const Vectors (&to_corner)[3], float sign) {
+/// `sign` is 1 if the triangle is the tested primitive, and -1 if it is the query's. Weights of
+/// corners that are not negative are those of a point of the triangle, whatever they are.
+HWY_INLINE void consider_face(Shortest& shortest, const Face& face, const Vectors (&to_corner)[3],
+                              float sign) {
   const ManyTag tag;
   const Many zero = hn::Zero(tag);
-  auto is_within = hn::Ge(dot(cross(normal, triangle.edge[0]), to_corner[0]), zero);
-  for (int k = 1; k < 3; ++k) {
-    is_within =
-        hn::And(is_within, hn::Ge(dot(cross(normal, triangle.edge[k]), to_corner[k]), zero));
-  }
-  const Many share_of_normal =
-      hn::Mul(hn::Mul(dot(normal, to_corner[0]), hn::Set(tag, sign)), inverse(dot(normal, normal)));
-  const Vectors offset = {hn::Mul(normal.x, share_of_normal), hn::Mul(normal.y, share_of_normal),
-                          hn::Mul(normal.z, share_of_normal)};
-  shortest.consider_where(is_within, offset, dot(offset, offset));
+  Many weight[3];  // of the corner across from each edge
+  for (int k = 0; k < 3; ++k)
+    weight[k] = hn::Max(dot(face.inward[k], to_corner[k]), zero);
+  const Many sum = hn::Add(hn::Add(weight[0], weight[1]), weight[2]);
+  const Many scale = hn::Div(hn::Set(tag, sign), sum);
+  Vectors offset = {zero, zero, zero};
+  for (int k = 0; k < 3; ++k)
+    offset = along(hn::Mul(weight[k], scale), to_corner[(k + 2) % 3], offset);
+  // The inverse of a sum within these limits is rounded as one of its size.
+  const auto is_known = hn::And(hn::Gt(sum, hn::Set(tag, kWideUnderflow)),
+                                hn::Lt(sum, hn::Set(tag, 1 / kWideUnderflow)));
+  shortest.consider_where(is_known, offset, dot(offset, offset));
 }
 
-/// Lower bounds of the squared distances of the pairs. The nearest points may be wrong by anything:
-/// whatever direction they give, a gap along it is a gap. `error` is that of each
-/// coordinate of a difference of corners.
-HWY_INLINE void set_bounds(float (&bounds)[NearPairs::kMost], const NearPairs& pairs, float error,
-                           float unit_of_tested) {
+/// Sets lower bounds of the squared distances of the pairs, and returns the least square of the
+/// offsets between points of both. The nearest points may be wrong by anything: whatever direction
+/// they give, a gap along it is a gap. `error` is that of each coordinate of a difference of
+/// corners.
+///
+/// An offset is one between points of both primitives, whatever shares and weights it is made of: a
+/// sum of corners' differences by weights that are not negative and sum to 1, for which exact
+/// corners are off by no more than one corner is. Between edges three differences, two products
+/// and two sums round, of two and one lengths; weights of a face's corners sum to 1 but for 4.01
+/// u. That and the error of corners (wide_bounds.h) is below 24.5 u of what kCornerError is
+/// multiplied by: each coordinate is off by `error` at most.
+HWY_INLINE float set_bounds(float (&bounds)[NearPairs::kMost], const NearPairs& pairs, float error,
+                            float unit_of_tested) {
   const ManyTag tag;
+  Many least = hn::Set(tag, std::numeric_limits<float>::infinity());
   for (std::size_t part = 0; part < pairs.count; part += hn::Lanes(tag)) {
     const Vectors p[3] = {corner_in(pairs.tested[0], part), corner_in(pairs.tested[1], part),
                           corner_in(pairs.tested[2], part)};
@@ -164,8 +186,8 @@ HWY_INLINE void set_bounds(float (&bounds)[NearPairs::kMost], const NearPairs& p
                           corner_in(pairs.query[2], part)};
     const TriangleEdges tested(p[0], p[1], p[2]);
     const TriangleEdges query(q[0], q[1], q[2]);
-    const Vectors tested_normal = cross(tested.edge[0], tested.edge[1]);
-    const Vectors query_normal = cross(query.edge[0], query.edge[1]);
+    const Face tested_face(tested, cross(tested.edge[0], tested.edge[1]));
+    const Face query_face(query, cross(query.edge[0], query.edge[1]));
     Vectors between[3][3];  // [tested corner][query corner]
     Shortest shortest;
     for (int i = 0; i < 3; ++i) {
@@ -175,10 +197,9 @@ HWY_INLINE void set_bounds(float (&bounds)[NearPairs::kMost], const NearPairs& p
       }
     }
     for (int k = 0; k < 3; ++k) {
-      consider_face(shortest, tested, tested_normal, {between[0][k], between[1][k], between[2][k]},
-                    1);
+      consider_face(shortest, tested_face, {between[0][k], between[1][k], between[2][k]}, 1);
       const Vectors from_query[3] = {minus(p[k], q[0]), minus(p[k], q[1]), minus(p[k], q[2])};
-      consider_face(shortest, query, query_normal, from_query, -1);
+      consider_face(shortest, query_face, from_query, -1);
     }
     // The direction is as long as its square says, which is not so where that underflowed.
     const Many scale = hn::IfThenElseZero(hn::Ge(shortest.square, hn::Set(tag, kWideUnderflow)),
@@ -193,7 +214,10 @@ HWY_INLINE void set_bounds(float (&bounds)[NearPairs::kMost], const NearPairs& p
     const Many step =
         hn::Mul(known(tag, hn::Sub(gap, hn::Set(tag, 4 * error))), hn::Set(tag, unit_of_tested));
     hn::Store(hn::Mul(step, step), tag, bounds + part);
+    least =
+        hn::IfThenElse(hn::FirstN(tag, pairs.count - part), hn::Min(least, shortest.square), least);
   }
+  return hn::GetLane(hn::MinOfLanes(tag, least));
 }
 
 }  // namespace

@@ -137,23 +137,34 @@ class Walker {
     for (std::uint32_t rest = near & ~now; rest != 0; rest &= rest - 1)
       state_.later.push_back(child_with(static_cast<std::uint32_t>(std::countr_zero(rest))));
     near = now;
-    bool is_query_leaf_set = false;
+    if (ChildLink::is_leaf(query_link))
+      near &= ~compare_leaves_below(tested_side, below, query, query_link, near);
     while (near != 0) {
       const std::uint32_t lane = farthest(near, promises_.key);
       near &= ~(1u << lane);
-      const std::uint32_t link = node.child[lane];
-      if (ChildLink::is_leaf(query_link) && ChildLink::is_leaf(link)) {
-        const WideTree::Treelet& tested_treelet = state_.tree[tested_side]->treelet(below.treelet);
-        const WideTree::Treelet& query_treelet =
-            state_.tree[1 - tested_side]->treelet(query.treelet);
-        if (!is_query_leaf_set)
-          set_query_leaf(query_leaf_, query_treelet, query_link, tested_treelet, transform);
-        is_query_leaf_set = true;
-        compare_leaves(tested_side, tested_treelet, link, query_treelet, query_link);
-        continue;
-      }
       state_.open.push(child_with(lane));
     }
+  }
+
+  /// Compares the leaves among these children with the query box's leaf, nearer ones first: each
+  /// may bring the limit down. Returns which they are.
+  HWY_INLINE std::uint32_t compare_leaves_below(int tested_side, const WideChildRef& below,
+                                                const WideChildRef& query, std::uint32_t query_link,
+                                                std::uint32_t near) {
+    const WideNode& node = *below.node;
+    const std::uint32_t leaves = near & leaf_lanes(node);
+    if (leaves == 0) return 0;
+    const WideTree::Treelet& tested_treelet = state_.tree[tested_side]->treelet(below.treelet);
+    const WideTree::Treelet& query_treelet = state_.tree[1 - tested_side]->treelet(query.treelet);
+    set_query_leaf(query_leaf_, query_treelet, query_link, tested_treelet,
+                   state_.into[tested_side]);
+    for (std::uint32_t rest = leaves; rest != 0;) {
+      const std::uint32_t lane = nearest(rest, promises_.key);
+      rest &= ~(1u << lane);
+      if (promises_.bound[lane] > limit_) continue;
+      compare_leaves(tested_side, tested_treelet, node.child[lane], query_treelet, query_link);
+    }
+    return leaves;
   }
 
   /// Which of these lanes' bounds are not beyond a limit.
@@ -215,19 +226,26 @@ class Walker {
   }
 
   /// Sets lower bounds of the squared distances of all pairs of the two leaves, and returns the
-  /// squared distance of the nearest corners of those that are there.
+  /// squared distance of the nearest corners of those that are there and not beyond the limit.
   HWY_INLINE float set_pairs(int tested_side, std::uint32_t pairs) {
     const PairTag tag;
+    const float error = query_leaf_.error;
+    const float unit = state_.units[tested_side];
     auto least = hn::Set(tag, std::numeric_limits<float>::infinity());
     for (std::size_t part = 0; part < kLeafPairs; part += hn::Lanes(tag)) {
       const PairLanes<PairTag> lanes(part);
       const PairBoxes<PairTag> boxes(lanes, tested_leaf_, query_leaf_);
       const PairTriangles<PairTag> triangles(lanes, tested_leaf_, query_leaf_);
-      hn::Store(squared_gaps(tag, boxes, triangles, query_leaf_.error,
-                             state_.direction[tested_side], state_.units[tested_side]),
-                tag, bounds_ + part);
+      const auto bounds =
+          squared_box_gaps(tag, boxes, triangles, error, state_.direction[tested_side], unit);
+      hn::Store(bounds, tag, bounds_ + part);
+      const auto is_beyond = hn::Gt(bounds, hn::Set(tag, limit_));
+      const std::uint32_t near = pairs >> part & ~bits_of(tag, is_beyond);
+      if ((near & ((1u << hn::Lanes(tag)) - 1)) == 0) continue;
+      hn::Store(hn::Max(bounds, squared_plane_gaps(tag, boxes, triangles, error, unit)), tag,
+                bounds_ + part);
       const auto corners = squared_corners(tag, triangles);
-      least = hn::IfThenElse(lanes_of(tag, pairs >> part), hn::Min(least, corners), least);
+      least = hn::IfThenElse(lanes_of(tag, near), hn::Min(least, corners), least);
     }
     return hn::GetLane(hn::MinOfLanes(tag, least));
   }
@@ -243,11 +261,11 @@ class Walker {
     return pairs & ~beyond;
   }
 
-  /// Keeps the pairs that are not beyond the limit along the direction of their nearest points
-  /// either.
+  /// Lowers the limit to how near the nearest points of the pairs are, and keeps the pairs that are
+  /// not beyond it along the direction of these points either.
   HWY_INLINE void look_closer(std::size_t begin, float unit) {
     alignas(64) float bounds[NearPairs::kMost];
-    set_bounds(bounds, near_, query_leaf_.error, unit);
+    lower_limit_to(set_bounds(bounds, near_, query_leaf_.error, unit), unit);
     for (std::uint32_t i = 0; i < near_.count; ++i) {
       BoundedPlaces pair = found_[begin + i];
       pair.squared_bound = std::max(pair.squared_bound, bounds[i]);
@@ -261,14 +279,15 @@ class Walker {
     near_.count = 0;
   }
 
-  /// Two corners are so near, and nothing that is further apart is wanted. The bound has twice the
-  /// error of a corner's coordinates at either end, and a millionth more for rounding.
-  HWY_INLINE void lower_limit_to(float squared_corners, float unit) {
+  /// Two points of primitives are so near, and nothing that is further apart is wanted. Each
+  /// coordinate of their offset has the error of a difference of corners (nearest_direction-inl.h):
+  /// the bound has four of these, and a millionth more for rounding.
+  HWY_INLINE void lower_limit_to(float squared_offset, float unit) {
     if (!(unit > 0)) return;  // it is too small for a float to say how far that is
     // All squares overflowed. The least of infinities is the largest float on Highway's portable
     // target.
-    if (!(squared_corners < std::numeric_limits<float>::max())) return;
-    const float distance = (std::sqrt(squared_corners) + 4 * query_leaf_.error) * unit;
+    if (!(squared_offset < std::numeric_limits<float>::max())) return;
+    const float distance = (std::sqrt(squared_offset) + 4 * query_leaf_.error) * unit;
     const float bound = (distance * state_.growth + state_.margin) * (1 + 0x1p-20f);
     const float square = bound * bound * static_cast<float>(kBoundGrowth) + kWideUnderflow;
     if (square < state_.squared_upper_bound) state_.squared_upper_bound = square;

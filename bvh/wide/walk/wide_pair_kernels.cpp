@@ -109,14 +109,6 @@ HWY_NOINLINE std::uint32_t near_slabs(const WideNode& tested, const AnyQuery& qu
   return near;
 }
 
-/// The bits of the children that are leaves.
-HWY_INLINE std::uint32_t leaf_lanes(const WideNode& node) {
-  std::uint32_t lanes = 0;
-  for (std::uint32_t lane = 0; lane < WideNode::kWidth; ++lane)
-    lanes |= static_cast<std::uint32_t>(ChildLink::is_leaf(node.child[lane])) << lane;
-  return lanes;
-}
-
 /// The bits of the children whose boxes are smaller than this.
 HWY_INLINE std::uint32_t smaller_lanes(const WideNode& node, float size) {
   const Tag tag;
@@ -338,13 +330,15 @@ class Walker {
     const std::uint32_t first_query =
         query.first + ChildLink::first(query_leaf.node->child[query_leaf.lane]);
     seen_ += static_cast<std::size_t>(std::popcount(near));
-    for (; near != 0; near &= near - 1) {
-      const auto pair = static_cast<std::uint32_t>(std::countr_zero(near));
+    const auto places_of = [&](std::uint32_t pair) HWY_ATTR {
       const std::uint32_t place = first + pair / 4;
       const std::uint32_t place_of_query = first_query + pair % 4;
-      pairs_.add(
-          leaves, pair / 4, pair % 4,
-          tested_side == 0 ? PlacePair{place, place_of_query} : PlacePair{place_of_query, place});
+      return tested_side == 0 ? PlacePair{place, place_of_query} : PlacePair{place_of_query, place};
+    };
+    state_.last_near = places_of(static_cast<std::uint32_t>(std::countr_zero(near)));
+    for (; near != 0; near &= near - 1) {
+      const auto pair = static_cast<std::uint32_t>(std::countr_zero(near));
+      pairs_.add(leaves, pair / 4, pair % 4, places_of(pair));
       if (pairs_.is_full()) decide();
     }
   }

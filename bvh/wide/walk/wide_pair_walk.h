@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -76,6 +77,10 @@ class WidePairWalk {
   /// A walk over the same trees in the same poses in which nothing waits yet.
   WidePairWalk another() const { return WidePairWalk(state_.tree, state_.into); }
 
+  /// Two of the last primitives that neither boxes nor planes told apart, if there were any: where
+  /// nothing meets, they are likely to be near each other.
+  const std::optional<PlacePair>& last_near() const { return state_.last_near; }
+
   const WideWalkCounts& counts() const { return counts_; }
 
   // What the kernels see.
@@ -90,6 +95,7 @@ class WidePairWalk {
     const WideTree* tree[2];
     TreeTransform into[2];  ///< by the side of the tested node: of query boxes of the other tree
     TraversalStack<Waiting, 192> open;
+    std::optional<PlacePair> last_near;
     std::uint32_t patience = 0;    ///< steps until the walk looks elsewhere
     std::uint32_t steps_left = 0;  ///< of these; 0 if it never does
   };

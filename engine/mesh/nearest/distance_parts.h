@@ -24,15 +24,11 @@ MeshDistance result_of(const TriangleDistance& found, TrianglePair pair);
 TriangleDistance distance_of(const Triangle& triangle_a, const Triangle& triangle_b, Work& work);
 TriangleDistance distance_of(const WideQuery& query, TrianglePair pair, Work& work);
 
-/// The one that a query for pairs with a limit of 1 begins with, if any meet: which this is depends
-/// on no direction, hint, memory or kernel.
-std::optional<TrianglePair> first_pair_that_meets(const WideQuery& query, Work& work);
-
 /// distance(), for meshes that are placed and a hint that is in range.
 MeshDistance find_distance(const WideQuery& query, std::optional<TrianglePair> hint, Work& work);
 
 /// The same of two meshes of which it is known that no triangles meet.
-MeshDistance distance_apart(const WideQuery& query, std::optional<TrianglePair> hint, Work& work);
+MeshDistance distance_apart(const WideQuery& query, TrianglePair hint, Work& work);
 
 /// A pair within the clearance, if there is one: the hint, or the first that the walk comes by.
 std::optional<TrianglePair> find_within(const WideQuery& query, double clearance,
