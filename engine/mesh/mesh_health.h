@@ -65,11 +65,11 @@ struct MeshHealth {
   /// which is the same, and of what stays open: these are not listed. What crosses or touches a
   /// part is not counted where it is asked what it lies in. By triangle.
   std::vector<InsideOutPart> inside_out_parts;
-  /// All pairs of triangles that cross: those of find_self_pairs(), duplicates among them.
+  /// All pairs of triangles that intersect: those of find_self_pairs(), duplicates among them.
   TrianglePairs self_intersections;
 
   /// Whether there is nothing in any list: the surface is closed, manifold at its edges,
-  /// consistently wound with its front outside, and crosses itself nowhere.
+  /// consistently wound with its front outside, and intersects itself nowhere.
   bool is_healthy() const;
   /// How many entries there are in all lists.
   std::size_t fault_count() const;
@@ -86,7 +86,7 @@ struct CheckSettings {
 
 /// All that is wrong with a mesh, and where, exactly: by combinatorics of welded vertices, exact
 /// predicates, and exact signs of volumes; no epsilon. Most of the time goes into looking for
-/// triangles that cross: O(n log n) for compact meshes, and as much as there are surfaces of the
+/// triangles that intersect: O(n log n) for compact meshes, and as much as there are surfaces of the
 /// mesh around each of its parts.
 MeshHealth check(const Mesh& mesh, const CheckSettings& settings = {}, Work* work = nullptr);
 

@@ -99,13 +99,15 @@ struct SelfQuerySettings {
 
 /// Which pairs of a mesh with itself are wanted.
 enum class SelfPairKind {
-  Crossing,   ///< the triangles share more than the welded vertex or edge that they have in common
-  Neighbour,  ///< they share exactly that: one welded vertex, or the edge between two
+  /// The triangles share more than the welded vertex or edge that they have in common.
+  Intersecting,
+  /// They share exactly that: one welded vertex, or the edge between two.
+  Neighbour,
 };
 
 /// find_self_pairs().
 struct SelfSettings {
-  SelfPairKind kind = SelfPairKind::Crossing;  ///< which pairs are wanted
+  SelfPairKind kind = SelfPairKind::Intersecting;  ///< which pairs are wanted
   /// Stop after this many pairs. Which pairs these are is reproducible, and may depend on `volume`.
   std::size_t limit = kNoLimit;
   /// What prunes: changes the time, never which pairs there are.

@@ -6,7 +6,7 @@
 #include <graze/engine/mesh/pairs/binary_pairs.h>
 #include <graze/engine/mesh/pairs/parallel_pairs.h>
 #include <graze/engine/mesh/query/candidates.h>
-#include <graze/engine/mesh/query/crossing_pairs.h>
+#include <graze/engine/mesh/query/pair_list.h>
 #include <graze/engine/mesh/query/query_results.h>
 #include <graze/engine/mesh/query/threads.h>
 #include <graze/engine/mesh/query/wide_query.h>
