@@ -27,7 +27,7 @@ struct RigidVelocities {
   double duration = 1;  ///< seconds, from t = 0 to 1
 };
 
-/// A turn about a line, and a way along it.
+/// A turn about a line, and a shift along it.
 struct Screw {
   Eigen::Vector3d point = Eigen::Vector3d::Zero();  ///< of the line, common frame, metres
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  ///< along the line, of any length but 0

@@ -88,7 +88,7 @@ void add_point(const Vec3& on_mesh, const Parting& parting, std::vector<ContactP
 }  // namespace
 
 /// Of the shape's face and a triangle. Depths are what lies between the points, which over faces
-/// that are only nearly at right angles to the way may be more than the way leaves.
+/// that are only nearly at right angles to the exit may be more than the exit clears.
 void TriangleCandidates::add_over_face(const TouchedTriangle& face, const Parting& parting) {
   candidates_.found.clear();
   add_face_contact_points(bare(), face.triangle, bare(parting).penetration, candidates_.found,
@@ -103,7 +103,7 @@ void TriangleCandidates::add_over_face(const TouchedTriangle& face, const Partin
 }
 
 /// Where an edge or a corner says how to part, as at the rim of a table that a body leans on,
-/// faces that are nearly at right angles to that way have contacts, too.
+/// faces that are nearly at right angles to that exit have contacts, too.
 void TriangleCandidates::add_near_faces(const TouchedTriangle& member) {
   const Parting parting = parting_of(member);
   candidates_.found.clear();
@@ -251,7 +251,7 @@ bool TriangleCandidates::add_before(const Vec3& on_mesh, const Vec3& normal) {
 
 /// Where the deepest point lies beyond what is touched, as in a valley: the point of the triangle
 /// next to it, or to the shape's middle, or one that the two share, and where the shape ends behind
-/// it along the way out. So the normal stays that of the way, whatever is deep.
+/// it along the way out. So the normal stays that of the exit, whatever is deep.
 void TriangleCandidates::add_beside(const TouchedTriangle& member) {
   const Parting parting = parting_of(member);
   const Vec3& out = parting.penetration.normal;

@@ -154,8 +154,8 @@ MeetingPoints by_clearance(const Core& a, const Core& b, const Penetration& pene
   return met;
 }
 
-/// How far the way from B's point to A's is from the penetration.
-double off_the_way(const MeetingPoints& met, const Penetration& penetration) {
+/// How far the vector from B's point to A's is from the penetration.
+double off_penetration(const MeetingPoints& met, const Penetration& penetration) {
   return length(met.on_a - met.on_b - penetration.normal * penetration.depth);
 }
 
@@ -178,12 +178,12 @@ void put_on_surface(const Core& core, bool is_a, const Vec3& normal, double scal
 // a farthest corner is beside it. Then the best of the farthest points of both is taken.
 MeetingPoints meeting_points(const Core& a, const Core& b, const Penetration& penetration) {
   MeetingPoints met = by_clearance(a, b, penetration);
-  double off = off_the_way(met, penetration);
+  double off = off_penetration(met, penetration);
   const bool is_a_first = is_smaller(a, b);
   for (const bool is_of_a : {is_a_first, !is_a_first}) {
     if (off <= kMostAside * smaller_size(a, b)) break;
     const MeetingPoints other = of_farthest(a, b, is_of_a, penetration.normal, met);
-    const double its = off_the_way(other, penetration);
+    const double its = off_penetration(other, penetration);
     if (its < off) met = other, off = its;
   }
   if (kFarLarger * pair_scale(a, b) > smaller_size(a, b))
