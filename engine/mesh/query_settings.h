@@ -48,8 +48,8 @@ struct PairSettings {
   PairVolume volume = PairVolume::WideObb;
   /// Which pairs count.
   Touch touch = Touch::Include;
-  /// Which pairs come first is for one thread to say: only a query by PairVolume::WideObb without a
-  /// limit is shared by more.
+  /// How many threads share the query at most; 0: all that there are. Which pairs come first is for
+  /// one thread to say: InputError for more beside a limit, or beside another volume than WideObb.
   int threads = 1;
 };
 
@@ -57,7 +57,7 @@ struct PairSettings {
 struct MemoryPairSettings {
   std::size_t limit = kNoLimit;  ///< as of PairSettings
   Touch touch = Touch::Include;  ///< which pairs count
-  int threads = 1;               ///< as of PairSettings
+  int threads = 1;               ///< as of PairSettings, where the volume is WideObb
 };
 
 /// find_intersection().
