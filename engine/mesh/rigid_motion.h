@@ -16,6 +16,8 @@ struct RigidCourse {
   Eigen::Vector3d shift = Eigen::Vector3d::Zero();  ///< of the centre, metres
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  ///< of any length but 0, in the common frame
   double angle = 0;  ///< radians, right-handed about the axis, at most kMostTurned in size
+
+  bool operator==(const RigidCourse&) const = default;
 };
 
 /// Velocities that stay, and for how long.
@@ -25,6 +27,8 @@ struct RigidVelocities {
   /// The point in the body's frame that has the linear velocity, metres: its centre of mass, say.
   Eigen::Vector3d body_centre = Eigen::Vector3d::Zero();
   double duration = 1;  ///< seconds, from t = 0 to 1
+
+  bool operator==(const RigidVelocities&) const = default;
 };
 
 /// A turn about a line, and a shift along it.
@@ -33,6 +37,8 @@ struct Screw {
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  ///< along the line, of any length but 0
   double angle = 0;                                 ///< radians, right-handed about the axis
   double pitch = 0;                                 ///< metres along the axis for each whole turn
+
+  bool operator==(const Screw&) const = default;
 };
 
 /// A rigid motion over t from 0 to 1 (law 14): a pose, and a course that it takes. A value. The

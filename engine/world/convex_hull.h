@@ -39,6 +39,9 @@ class ConvexHull {
   /// is. Throws std::out_of_range for an index that is not below facet_count().
   std::span<const std::uint32_t> facet(std::size_t index) const;
 
+  /// True if both are handles to the same hull.
+  friend bool operator==(const ConvexHull& a, const ConvexHull& b) { return a.hull_ == b.hull_; }
+
  private:
   friend struct ConvexHullAccess;
   std::shared_ptr<const narrowphase::Hull> hull_;
