@@ -28,8 +28,8 @@ class ConvexHull {
   std::size_t vertex_count() const;
   Eigen::Vector3d vertex(std::size_t index) const;
 
-  /// As contacts count them: corners within 2^-21 of the hull's reach, the greatest distance from
-  /// the middle of its box, of one plane lie in one face.
+  /// As contacts count them: corners within 2^-21 of the hull's bounding radius, the greatest
+  /// distance from the middle of its box, of one plane lie in one face.
   std::size_t face_count() const;
 
   /// Its facets, exactly: triangles of corners are one only where they lie in one plane to the last

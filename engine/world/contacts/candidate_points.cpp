@@ -52,13 +52,13 @@ Core segment(const Vec3& from, const Vec3& to) {
 // A point of a shape beside its deepest one: from this number on.
 constexpr std::uint64_t kBesideFeature = 0x30010;
 
-/// A number for where on a core a point is, by cells of an eighth of its reach.
+/// A number for where on a core a point is, by cells of an eighth of its radius.
 std::uint64_t place_on(const Core& core, const Vec3& point) {
   // Points of what is symmetric are not near where one cell ends.
   constexpr double kCells = 8, kAside = 8.37;
   constexpr int kBits = 5;
-  const double reach = core.bounding_radius + core.radius;
-  const Vec3 own = into_own(core, point - core.at) * (kCells / reach);
+  const double radius = core.bounding_radius + core.radius;
+  const Vec3 own = into_own(core, point - core.at) * (kCells / radius);
   std::uint64_t place = 0;
   for (const double along : {own.x, own.y, own.z})
     place = place << kBits | static_cast<std::uint64_t>(std::max(along + kAside, 0.0));

@@ -202,7 +202,7 @@ bool goes_second(const PlacedShapeView& a, const PlacedShapeView& b) {
   return is_swapped(a, b);
 }
 
-void check_reach(const PlacedShapeView& shape, const Eigen::Vector3d& displacement) {
+void check_coordinates(const PlacedShapeView& shape, const Eigen::Vector3d& displacement) {
   for (int k = 0; k < 3; ++k) {
     const double end = shape.pose.data()[12 + k] + displacement.data()[k];
     if (std::abs(end) <= kLargestLength) continue;
@@ -282,7 +282,7 @@ std::optional<ShapeCast> cast(const PlacedShapeView& shape_a, const PlacedShapeV
   return bvh::in_standard_arithmetic([&]() -> std::optional<ShapeCast> {
     check_poses(shape_a.pose, shape_b.pose);
     narrowphase::check_displacement(displacement);
-    check_reach(shape_b, displacement);
+    check_coordinates(shape_b, displacement);
     CountedWork counted(work);
     if (has_plane(shape_a, shape_b))
       return cast_of_plane(shape_a, shape_b, displacement, counted.work());

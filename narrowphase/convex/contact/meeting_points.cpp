@@ -203,15 +203,15 @@ std::optional<MeetingPoints> ends_on_line(const Core& a, const Core& b, const Ve
   return best;
 }
 
-// Corners of one plane are off it by 24 u of the reach, as hull_ray.cpp adds up, which is less than
-// kBeyondRounding of it.
+// Corners of one plane are off it by 24 u of the bounding radius, as hull_ray.cpp adds up, which is
+// less than kBeyondRounding of it.
 bool is_uneven(const FaceOf& of) {
   return of.face.unevenness > kBeyondRounding * of.core.bounding_radius;
 }
 
-// A line through an edge of the polygon may miss the hull by rounding: kBeyondRounding of the reach
-// towards the middle of the face it does not, and the surface is as near there as at the edge but
-// for eight times that, as no facet of the face leans by more than 8 degrees.
+// A line through an edge of the polygon may miss the hull by rounding: kBeyondRounding of the
+// bounding radius towards the middle of the face it does not, and the surface is as near there as
+// at the edge but for eight times that, as no facet of the face leans by more than 8 degrees.
 std::optional<Vec3> onto_surface(const FaceOf& of, const Vec3& point, const Vec3& out) {
   if (!is_uneven(of)) return point;
   const Core& core = of.core;

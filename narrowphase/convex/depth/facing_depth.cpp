@@ -250,8 +250,8 @@ std::optional<Exit> CornerExits::next_part() {
 
 std::optional<Exit> CornerExits::of_rounded() {
   ++part_;
-  const Vec3 reach = core_.axis[2] * (core_.kind == CoreKind::Segment ? core_.half.z : 0);
-  const Vec3 nearest = nearest_on_segment(core_.at - reach, core_.at + reach, corner_);
+  const Vec3 half_axis = core_.axis[2] * (core_.kind == CoreKind::Segment ? core_.half.z : 0);
+  const Vec3 nearest = nearest_on_segment(core_.at - half_axis, core_.at + half_axis, corner_);
   Vec3 away = corner_ - nearest;
   if (core_.kind == CoreKind::Segment) {
     // Of a corner on the segment this is rounding, and no passage through the surface unless it

@@ -210,13 +210,14 @@ LeastParting over_all_directions(const PlacedBody& a, const PlacedBody& b, const
 struct RoundBody {
   Vector3d middle;               ///< on the line
   std::optional<Vector3d> axis;  ///< unit; none: it may turn about any line through its middle
-  double reach;                  ///< no point of it is farther from the middle
+  double bounding_radius;        ///< no point of it is farther from the middle
 };
 
 /// Without its radius, as far_point() has it.
 std::optional<RoundBody> round_body(const PlacedBody& body) {
-  const auto about_z = [&](double reach) {
-    return RoundBody{body.pose.translation(), body.pose.linear().col(2).normalized(), reach};
+  const auto about_z = [&](double bounding_radius) {
+    return RoundBody{body.pose.translation(), body.pose.linear().col(2).normalized(),
+                     bounding_radius};
   };
   if (const auto* s = body.shape.as<Sphere>()) return RoundBody{body.pose * s->centre, {}, 0};
   if (const auto* s = body.shape.as<Capsule>()) return about_z(s->half_length);
@@ -250,7 +251,7 @@ std::optional<CommonAxis> common_axis(const PlacedBody& a, const PlacedBody& b) 
     return CommonAxis{between.isZero() ? Vector3d::UnitX() : between.normalized(), 0};
   const Vector3d along = round_a->axis ? *round_a->axis : *round_b->axis;
   double off = between.cross(along).norm();
-  if (round_b->axis) off += 2 * round_b->reach * round_b->axis->cross(along).norm();
+  if (round_b->axis) off += 2 * round_b->bounding_radius * round_b->axis->cross(along).norm();
   return CommonAxis{along, off};
 }
 

@@ -19,25 +19,25 @@ constexpr std::size_t kFew = 24;
 // where faces are divided.
 constexpr std::size_t kOfTwoEdges = 8;
 
-/// How much farther a part reaches outside than inside; nothing if that is too much: then what it
+/// How much farther a part extends outside than inside; nothing if that is too much: then what it
 /// leaves last in a direction is outside, and the exit is one of another piece, or leads round a
 /// body that goes on. Law 15's depths are to a twentieth: a shallow exit that what is outside makes
 /// longer by less is this piece's. Where an edge leaves an edge both of its ends are equally far,
 /// but for what the search for the exit lacks.
-std::optional<double> outer_reach(const InnerPart& part, const Vec3& direction, double depth) {
+std::optional<double> outer_extent(const InnerPart& part, const Vec3& direction, double depth) {
   constexpr double kSame = 1e-6, kShallow = 1e-4;
   const std::size_t farthest = part.farthest(direction);
   if (!part.is_outer[farthest]) return 0;
   const double all = dot(part.points[farthest], direction);
   const double least =
       all - std::max(kSame * part.radius, std::min(0.05 * depth, kShallow * part.radius));
-  std::optional<double> reach;
+  std::optional<double> extent;
   for (std::size_t i = 0; (i = part.next_beyond(direction, least, i)) < part.points.size(); ++i) {
     if (part.is_outer[i]) continue;
     const double lacking = all - dot(part.points[i], direction);
-    if (!reach || lacking < *reach) reach = lacking;
+    if (!extent || lacking < *extent) extent = lacking;
   }
-  return reach;
+  return extent;
 }
 
 double depth_of(const PieceExit& piece_exit) {
@@ -216,7 +216,7 @@ void PieceExits::find_with(Part&& leaving, double limit, const PartingSettings& 
   Exit& exit = parting.exit;
   exit.depth = std::max(exit.depth, 0.0);
   piece_exit.is_found = true;
-  const std::optional<double> outer = outer_reach(part, -exit.direction, exit.depth);
+  const std::optional<double> outer = outer_extent(part, -exit.direction, exit.depth);
   piece_exit.is_local = outer.has_value();
   // What is outside is beside the triangle's mesh, and need not be lifted out.
   piece_exit.beyond = piece_exit.is_partial ? 0 : std::min(outer.value_or(0), exit.depth);
