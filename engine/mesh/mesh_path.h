@@ -25,7 +25,7 @@ class MeshPath {
 
   /// The mesh at t = 0.
   const Mesh& start() const;
-  /// And at t = 1.
+  /// The mesh at t = 1.
   const Mesh& end() const;
 
   /// What the path holds beside both meshes.
