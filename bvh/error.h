@@ -32,7 +32,7 @@ class Error : public std::runtime_error {
   const ErrorPlace& place() const noexcept;
 
  private:
-  std::shared_ptr<const ErrorPlace> place_;  // nullptr: nothing is known
+  std::shared_ptr<const ErrorPlace> place_;  ///< null where nothing is known
 };
 
 /// A value that no query can answer for: NaN, infinity, a box whose minimum exceeds its maximum.

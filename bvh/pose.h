@@ -16,13 +16,13 @@ inline bool are_equal(const Pose& pose_a, const Pose& pose_b) {
   return pose_a.matrix() == pose_b.matrix();
 }
 
-/// For tables of poses, with PoseEqual.
+/// Hashes poses for tables of them, with PoseEqual.
 struct PoseHash {
   std::size_t operator()(const Pose& pose) const noexcept;
 };
-/// Whether all entries are equal, for tables of poses, with PoseHash.
+/// Compares poses entry by entry for tables of them, with PoseHash.
 struct PoseEqual {
-  /// Says so.
+  /// Says whether all entries are equal.
   bool operator()(const Pose& pose_a, const Pose& pose_b) const noexcept {
     return are_equal(pose_a, pose_b);
   }

@@ -31,7 +31,7 @@ Pose parse_pose(std::string_view text, const std::string& place);
 /// memory.
 std::vector<PoseLine> load_pose_lines(const std::filesystem::path& path);
 
-/// The same poses without their lines.
+/// The poses of load_pose_lines() without their lines. Throws as it does.
 std::vector<Pose> load_poses(const std::filesystem::path& path);
 
 }  // namespace graze

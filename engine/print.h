@@ -10,24 +10,34 @@
 #include <graze/bvh/ray.h>
 #include <graze/bvh/sphere.h>
 #include <graze/engine/mesh/distance.h>
+#include <graze/engine/mesh/fit.h>
+#include <graze/engine/mesh/mesh.h>
 #include <graze/engine/mesh/mesh_cast.h>
 #include <graze/engine/mesh/mesh_contacts.h>
 #include <graze/engine/mesh/mesh_health.h>
+#include <graze/engine/mesh/mesh_intersection.h>
 #include <graze/engine/mesh/mesh_path.h>
 #include <graze/engine/mesh/mesh_ray.h>
+#include <graze/engine/mesh/rigid_certificate.h>
 #include <graze/engine/mesh/rigid_contact.h>
+#include <graze/engine/mesh/rigid_motion.h>
 #include <graze/engine/mesh/separation.h>
 #include <graze/engine/mesh/triangle_pairs.h>
 #include <graze/engine/mesh/volume_cast.h>
 #include <graze/engine/mesh/voxel_grid.h>
+#include <graze/engine/mesh/voxels.h>
 #include <graze/engine/work.h>
 #include <graze/engine/world/ids.h>
 #include <graze/engine/world/manifold.h>
 #include <graze/engine/world/shape_cast.h>
+#include <graze/engine/world/shape_separation.h>
 #include <graze/engine/world/world.h>
+#include <graze/engine/world/world_pairs.h>
+#include <graze/engine/world/world_update.h>
 #include <graze/narrowphase/first_contact.h>
 #include <graze/narrowphase/triangle.h>
 #include <graze/narrowphase/triangle_distance.h>
+#include <graze/narrowphase/triangle_intersection.h>
 #include <graze/narrowphase/triangle_ray.h>
 
 #include <iosfwd>
@@ -42,23 +52,27 @@ std::string to_text(const Pose& pose);
 std::ostream& operator<<(std::ostream& out, const BodyId& id);
 std::ostream& operator<<(std::ostream& out, const BoxId& id);
 std::ostream& operator<<(std::ostream& out, const BodyPair& pair);
+std::ostream& operator<<(std::ostream& out, const WorldBodyPair& pair);
 std::ostream& operator<<(std::ostream& out, const BoxPair& pair);
 std::ostream& operator<<(std::ostream& out, const TrianglePair& pair);
 std::ostream& operator<<(std::ostream& out, const ContactFeature& feature);
 std::ostream& operator<<(std::ostream& out, const Voxel& voxel);
 
-/// Volumes and triangles with their numbers.
+/// Volumes, triangles and motions with their numbers.
 std::ostream& operator<<(std::ostream& out, const Aabb& box);
 std::ostream& operator<<(std::ostream& out, const Obb& box);
 std::ostream& operator<<(std::ostream& out, const Sphere& sphere);
 std::ostream& operator<<(std::ostream& out, const KDop<18>& kdop);
 std::ostream& operator<<(std::ostream& out, const Ray& ray);
 std::ostream& operator<<(std::ostream& out, const Triangle& triangle);
+std::ostream& operator<<(std::ostream& out, const VoxelGrid& grid);
+std::ostream& operator<<(std::ostream& out, const RigidMotion& motion);
 
 /// Results with their members.
 std::ostream& operator<<(std::ostream& out, const TrianglePairs& pairs);
 std::ostream& operator<<(std::ostream& out, const TriangleList& triangles);
 std::ostream& operator<<(std::ostream& out, const TriangleDistance& distance);
+std::ostream& operator<<(std::ostream& out, const TriangleIntersection& common);
 std::ostream& operator<<(std::ostream& out, const TriangleRayHit& hit);
 std::ostream& operator<<(std::ostream& out, const FirstContact& contact);
 std::ostream& operator<<(std::ostream& out, const MeshFirstContact& contact);
@@ -71,8 +85,11 @@ std::ostream& operator<<(std::ostream& out, const MeshHealth& health);
 std::ostream& operator<<(std::ostream& out, const MeshContact& contact);
 std::ostream& operator<<(std::ostream& out, const MeshContacts& contacts);
 std::ostream& operator<<(std::ostream& out, const Separation& separation);
+std::ostream& operator<<(std::ostream& out, const VolumeFit& fit);
+std::ostream& operator<<(std::ostream& out, const MeshFit& fit);
 std::ostream& operator<<(std::ostream& out, const RayHit& hit);
 std::ostream& operator<<(std::ostream& out, const ShapeDistance& distance);
+std::ostream& operator<<(std::ostream& out, const ShapeSeparation& separation);
 std::ostream& operator<<(std::ostream& out, const ShapeCast& cast);
 std::ostream& operator<<(std::ostream& out, const ShapeContact& contact);
 std::ostream& operator<<(std::ostream& out, const Manifold& manifold);
@@ -80,8 +97,18 @@ std::ostream& operator<<(std::ostream& out, const BodyContact& contact);
 std::ostream& operator<<(std::ostream& out, const BodyDistance& distance);
 std::ostream& operator<<(std::ostream& out, const BodyRayHit& hit);
 std::ostream& operator<<(std::ostream& out, const BodyCast& cast);
+std::ostream& operator<<(std::ostream& out, const BodyPairDistance& distance);
+std::ostream& operator<<(std::ostream& out, const BodyFirstContact& contact);
+
+/// How many parts there are of what is large.
+std::ostream& operator<<(std::ostream& out, const Topology& topology);
+std::ostream& operator<<(std::ostream& out, const MeshIntersection& common);
+std::ostream& operator<<(std::ostream& out, const Voxels& voxels);
+std::ostream& operator<<(std::ostream& out, const FreedomCertificate& certificate);
+std::ostream& operator<<(std::ostream& out, const WorldUpdate& update);
 
 /// Only the counters that are not 0.
 std::ostream& operator<<(std::ostream& out, const Work& work);
+std::ostream& operator<<(std::ostream& out, const WorldWork& work);
 
 }  // namespace graze

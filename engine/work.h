@@ -27,7 +27,7 @@ struct Work {
   std::uint64_t penetration_tests = 0;  ///< depths searched for by a polytope
   std::uint64_t penetration_failures = 0;  ///< of these, not proved the least, even with libccd
 
-  /// Adds counter by counter.
+  /// Adds each counter of the other to this one's.
   Work& operator+=(const Work& other);
 
   bool operator==(const Work&) const = default;

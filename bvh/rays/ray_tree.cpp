@@ -132,7 +132,7 @@ RayTree ray_tree_over(const Tree& tree, const LocalCorners& corners) {
   const Laid laid = lay_out(tree, RayGroups(tree, RayTree::kLeafSize));
   if (laid.nodes.size() > RayTree::kMostNodes) return rays;
   rays.primitives = tree.primitives.data();
-  // Each node on a way down leaves all of its children but one.
+  // Each node on a path down leaves all of its children but one.
   rays.most_open = (RayNode::kWidth - 1) * laid.depth + 1;
   rays.node_count = laid.nodes.size();
   rays.nodes = in_large_pages<RayNode>(rays.node_count);

@@ -1,6 +1,6 @@
 #pragma once
 
-// A ray's way through a RayTree. Private.
+// The walk of a ray through a RayTree. Private.
 //
 // All is in the tree's frame, where boxes are within 2 of its centre. The walk sees the ray from
 // where it enters the box of all, so that floats are as fine as the tree is small, wherever the ray

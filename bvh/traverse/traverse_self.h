@@ -10,8 +10,8 @@ namespace graze::bvh {
 /// Calls `end_fn(std::uint32_t a, std::uint32_t b)` for the pairs of different nodes at which the
 /// walk ends, each unordered pair once, that `separation` does not prune, nor any pair above them,
 /// and with a and b the same for each such node, until it returns Walk::Stop. Returns whether it
-/// did. `is_end(std::uint32_t)` is true of some node on each way down, of leaves at the latest. The
-/// separation is what traverse_pair() asks.
+/// did. `is_end(std::uint32_t)` is true of some node on each path down, of leaves at the latest.
+/// The separation is what traverse_pair() asks.
 template <typename Separation, typename IsEnd, typename EndFn>
 Walk traverse_self(const Tree& tree, Separation&& separation, IsEnd&& is_end, EndFn&& end_fn) {
   PairStack open;

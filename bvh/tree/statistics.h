@@ -8,7 +8,7 @@ namespace graze::bvh {
 struct TreeStatistics {
   std::size_t node_count = 0;
   std::size_t leaf_count = 0;
-  std::size_t depth = 0;            ///< inner nodes on the longest way from the root to a leaf
+  std::size_t depth = 0;            ///< inner nodes on the longest path from the root to a leaf
   std::size_t largest_leaf = 0;     ///< primitives
   double mean_leaf_size = 0;        ///< primitives
   double expected_node_visits = 0;  ///< of a random line through the root: surface area heuristic

@@ -96,7 +96,7 @@ struct CaseSettings {
   double tolerance = 1e-6;                ///< metres, of Ask::FirstContact and Free
   /// Of Ask::Separation, of any length; none: the best that is found.
   std::optional<Eigen::Vector3d> direction = {};
-  SelfPairKind self_kind = SelfPairKind::Crossing;  ///< of Ask::SelfPairs
+  SelfPairKind self_kind = SelfPairKind::Intersecting;  ///< of Ask::SelfPairs
   /// Of Pairs and SelfPairs: stop after so many. Which ones these are is for the engine to say.
   std::optional<std::uint32_t> limit = {};
 };

@@ -27,7 +27,7 @@ struct ReadCaseSettings {
 /// Linear time and memory, but for hulls, which may have kMaxHullPoints points each.
 Case read_case(const std::filesystem::path& path, const ReadCaseSettings& settings = {});
 
-/// The same from memory; errors begin with `name`.
+/// Reads a case from memory as read_case() does from a file; errors begin with `name`.
 Case parse_case(std::string_view bytes, const std::string& name,
                 const ReadCaseSettings& settings = {});
 

@@ -18,7 +18,7 @@ void write_case(const std::filesystem::path& path, const Case& query);
 /// The parts of an answer as one JSON object.
 std::string to_json(const CaseAnswer& answer);
 
-/// The same with plain JSON numbers, which lose nothing either, for tools that know no hex floats.
+/// The case with plain JSON numbers, which lose nothing either, for tools that know no hex floats.
 std::string to_plain_json(const CaseAnswer& answer);
 
 }  // namespace graze

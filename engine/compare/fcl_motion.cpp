@@ -81,7 +81,7 @@ FclMotionPointer to_fcl(const RigidMotion& motion, const FclGeometry& shape, Fcl
   }
 }
 
-/// A mesh and the way that it goes, as FCL's polynomials know them: they look at no pose, so that
+/// A mesh and its motion, as FCL's polynomials know them: they look at no pose, so that
 /// the vertices are placed; and they move the vertices that they are given, so that each question
 /// gets its own.
 struct StraightMesh {

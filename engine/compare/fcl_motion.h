@@ -18,7 +18,7 @@ enum class FclContinuous {
   Polynomial  ///< vertices on straight paths: of two meshes that do not turn
 };
 
-/// FCL's kinds of motions. A course is asked as one that goes the same way, or not at all.
+/// FCL's kinds of motions. A course is asked as one that goes the same path, or not at all.
 enum class FclCourse {
   Interpolated,  ///< InterpMotion: any that turns by less than 3 radians
   Screw,         ///< ScrewMotion: of these, shifts along the axis, and what does not turn

@@ -71,9 +71,9 @@ class Mesh {
   /// What triangles are made of, as it was given; empty if it was not.
   std::span<const std::uint16_t> materials() const;
 
-  /// The same numbers as matrices of three columns, without a copy: valid as long as a handle.
+  /// The vertices as a matrix of three columns, without a copy: valid as long as a handle.
   Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>> vertex_matrix() const;
-  /// Likewise the triangles.
+  /// The triangles as such a matrix, valid as long.
   Eigen::Map<const Eigen::Matrix<std::uint32_t, Eigen::Dynamic, 3, Eigen::RowMajor>>
   triangle_matrix() const;
 

@@ -11,7 +11,7 @@ struct MeshCast {
   double time;               ///< as FirstContact::time: in [0, 1], never late
   bool is_at_start;          ///< whether it is at t = 0 itself
   TrianglePair pair;         ///< triangles that meet then
-  MeetingFeatures features;  ///< which of their features do; Crossing if it is at t = 0
+  MeetingFeatures features;  ///< which of their features do; AtStart if it is at t = 0
   std::uint32_t place_a;     ///< as MeshFirstContact::place_a
   std::uint32_t place_b;     ///< likewise of B's
   Eigen::Vector3d point;     ///< where they meet, metres, on A, which stays

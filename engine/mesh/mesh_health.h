@@ -45,15 +45,16 @@ struct InsideOutPart {
 
 /// What check() finds. Every list is complete, ascending, and empty in a healthy mesh.
 struct MeshHealth {
-  /// Where the surface ends: one triangle alone. By their vertices. Together with those edges of
-  /// the next list that have an odd number of triangles, they are topology()'s boundary edges.
+  /// The edges of one triangle alone, where the surface ends, by their vertices. Together with
+  /// those of the next list that have an odd number of triangles, they are topology()'s boundary
+  /// edges.
   std::vector<FaultyEdge> open_edges;
-  /// More than two triangles.
+  /// The edges of more than two triangles.
   std::vector<FaultyEdge> non_manifold_edges;
-  /// Where triangles are wound inconsistently: at least two more go along the edge one way than the
-  /// other, so that neighbours face opposite sides.
+  /// The edges at which triangles are wound inconsistently: at least two more go along the edge one
+  /// way than the other, so that neighbours face opposite sides.
   std::vector<FaultyEdge> turned_edges;
-  /// Triangles without area, exactly.
+  /// The triangles without area, exactly.
   std::vector<std::uint32_t> degenerate_triangles;
   std::vector<DuplicateTriangle> duplicate_triangles;  ///< by triangle
   /// Parts, connected across edges that have two triangles and consistently wound, that should face
@@ -65,11 +66,11 @@ struct MeshHealth {
   /// which is the same, and of what stays open: these are not listed. What crosses or touches a
   /// part is not counted where it is asked what it lies in. By triangle.
   std::vector<InsideOutPart> inside_out_parts;
-  /// All pairs of triangles that cross: those of find_self_pairs(), duplicates among them.
+  /// All pairs of triangles that intersect: those of find_self_pairs(), duplicates among them.
   TrianglePairs self_intersections;
 
   /// Whether there is nothing in any list: the surface is closed, manifold at its edges,
-  /// consistently wound with its front outside, and crosses itself nowhere.
+  /// consistently wound with its front outside, and intersects itself nowhere.
   bool is_healthy() const;
   /// How many entries there are in all lists.
   std::size_t fault_count() const;
@@ -86,8 +87,8 @@ struct CheckSettings {
 
 /// All that is wrong with a mesh, and where, exactly: by combinatorics of welded vertices, exact
 /// predicates, and exact signs of volumes; no epsilon. Most of the time goes into looking for
-/// triangles that cross: O(n log n) for compact meshes, and as much as there are surfaces of the
-/// mesh around each of its parts.
+/// triangles that intersect: O(n log n) for compact meshes, and as much as there are surfaces of
+/// the mesh around each of its parts.
 MeshHealth check(const Mesh& mesh, const CheckSettings& settings = {}, Work* work = nullptr);
 
 }  // namespace graze

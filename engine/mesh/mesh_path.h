@@ -25,7 +25,7 @@ class MeshPath {
 
   /// The mesh at t = 0.
   const Mesh& start() const;
-  /// And at t = 1.
+  /// The mesh at t = 1.
   const Mesh& end() const;
 
   /// What the path holds beside both meshes.
@@ -42,7 +42,7 @@ enum class MeetingFeatures {
   VertexFace,  ///< a vertex of A and the closed triangle of B
   FaceVertex,  ///< the triangle of A and a vertex of B
   EdgeEdge,    ///< two closed edges
-  Crossing     ///< the triangles go through each other at t = 0, no matter where
+  AtStart      ///< the triangles meet as they are at t = 0, no matter where
 };
 
 /// When two meshes in motion meet first, and where.

@@ -9,6 +9,10 @@ namespace graze {
 struct PlacedMesh {
   Mesh mesh;                     ///< a handle
   Pose pose = Pose::Identity();  ///< of the mesh: it takes points of its frame to the common one
+
+  bool operator==(const PlacedMesh& other) const {
+    return mesh == other.mesh && are_equal(pose, other.pose);
+  }
 };
 
 /// What queries take: a mesh in a pose, made of a PlacedMesh or within the call itself, as in

@@ -11,7 +11,7 @@ namespace graze {
 /// A mesh in each of many poses, as the second argument of queries: `intersects({bolt}, {nut,
 /// poses})`. It refers to both, which must outlive it.
 struct MeshInPoses {
-  /// Refers to both.
+  /// Refers to the mesh and the poses.
   MeshInPoses(const Mesh& mesh_b, std::span<const Pose> poses_b) : mesh(mesh_b), poses(poses_b) {}
 
   const Mesh& mesh;             ///< must outlive this

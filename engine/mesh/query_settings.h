@@ -48,8 +48,8 @@ struct PairSettings {
   PairVolume volume = PairVolume::WideObb;
   /// Which pairs count.
   Touch touch = Touch::Include;
-  /// Which pairs come first is for one thread to say: only a query by PairVolume::WideObb without a
-  /// limit is shared by more.
+  /// How many threads share the query at most; 0: all that there are. Which pairs come first is for
+  /// one thread to say: InputError for more beside a limit, or beside another volume than WideObb.
   int threads = 1;
 };
 
@@ -57,7 +57,7 @@ struct PairSettings {
 struct MemoryPairSettings {
   std::size_t limit = kNoLimit;  ///< as of PairSettings
   Touch touch = Touch::Include;  ///< which pairs count
-  int threads = 1;               ///< as of PairSettings
+  int threads = 1;               ///< as of PairSettings, where the volume is WideObb
 };
 
 /// find_intersection().
@@ -99,13 +99,15 @@ struct SelfQuerySettings {
 
 /// Which pairs of a mesh with itself are wanted.
 enum class SelfPairKind {
-  Crossing,   ///< the triangles share more than the welded vertex or edge that they have in common
-  Neighbour,  ///< they share exactly that: one welded vertex, or the edge between two
+  /// The triangles share more than the welded vertex or edge that they have in common.
+  Intersecting,
+  /// They share exactly that: one welded vertex, or the edge between two.
+  Neighbour,
 };
 
 /// find_self_pairs().
 struct SelfSettings {
-  SelfPairKind kind = SelfPairKind::Crossing;  ///< which pairs are wanted
+  SelfPairKind kind = SelfPairKind::Intersecting;  ///< which pairs are wanted
   /// Stop after this many pairs. Which pairs these are is reproducible, and may depend on `volume`.
   std::size_t limit = kNoLimit;
   /// What prunes: changes the time, never which pairs there are.

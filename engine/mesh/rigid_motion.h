@@ -16,6 +16,8 @@ struct RigidCourse {
   Eigen::Vector3d shift = Eigen::Vector3d::Zero();  ///< of the centre, metres
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  ///< of any length but 0, in the common frame
   double angle = 0;  ///< radians, right-handed about the axis, at most kMostTurned in size
+
+  bool operator==(const RigidCourse&) const = default;
 };
 
 /// Velocities that stay, and for how long.
@@ -25,14 +27,18 @@ struct RigidVelocities {
   /// The point in the body's frame that has the linear velocity, metres: its centre of mass, say.
   Eigen::Vector3d body_centre = Eigen::Vector3d::Zero();
   double duration = 1;  ///< seconds, from t = 0 to 1
+
+  bool operator==(const RigidVelocities&) const = default;
 };
 
-/// A turn about a line, and a way along it.
+/// A turn about a line, and a shift along it.
 struct Screw {
   Eigen::Vector3d point = Eigen::Vector3d::Zero();  ///< of the line, common frame, metres
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  ///< along the line, of any length but 0
   double angle = 0;                                 ///< radians, right-handed about the axis
   double pitch = 0;                                 ///< metres along the axis for each whole turn
+
+  bool operator==(const Screw&) const = default;
 };
 
 /// A rigid motion over t from 0 to 1 (law 14): a pose, and a course that it takes. A value. The
@@ -41,29 +47,29 @@ struct Screw {
 /// that are not finite and angles above kMostTurned.
 class RigidMotion {
  public:
-  /// At rest.
+  /// The body rests in that pose.
   explicit RigidMotion(const Pose& pose) : RigidMotion(pose, RigidCourse{}) {}
-  /// From a pose along a course.
+  /// The body goes from a pose along a course.
   RigidMotion(const Pose& start, const RigidCourse& course);
 
-  /// From one pose to another: `body_centre`, a point in the body's frame, goes straight, and the
-  /// body turns the short way round, steadily, as slerp has it. Which way it turns by half a turn
-  /// is left open. at(1) has the entries of `end` up to 2^-44, and twice the deviation of both
-  /// poses from rotations; its translation up to 2^-44 of all lengths that the motion is made of,
-  /// and twice the deviation times how far the centre is from the body's origin.
+  /// The motion from one pose to another: `body_centre`, a point in the body's frame, goes
+  /// straight, and the body turns the short way round, steadily, as slerp has it. Which way it
+  /// turns by half a turn is left open. at(1) has the entries of `end` up to 2^-44, and twice the
+  /// deviation of both poses from rotations; its translation up to 2^-44 of all lengths that the
+  /// motion is made of, and twice the deviation times how far the centre is from the body's origin.
   static RigidMotion between(const Pose& start, const Pose& end,
                              const Eigen::Vector3d& body_centre = Eigen::Vector3d::Zero());
 
-  /// From one pose to another as a screw: along and about one line. Where they are turned by less
-  /// than 2^-20 against each other that line is too far away to be known, and the body's origin
-  /// goes straight. at(1) is as near to `end` as between()'s, the distance of the line being one
-  /// of the lengths.
+  /// The motion from one pose to another as a screw: along and about one line. Where they are
+  /// turned by less than 2^-20 against each other that line is too far away to be known, and the
+  /// body's origin goes straight. at(1) is as near to `end` as between()'s, the distance of the
+  /// line being one of the lengths.
   static RigidMotion screw_between(const Pose& start, const Pose& end);
 
-  /// From a pose along and about a line, by any number of turns.
+  /// The motion from a pose along and about a line, by any number of turns.
   static RigidMotion screw(const Pose& start, const Screw& screw);
 
-  /// From a pose with velocities that stay.
+  /// The motion from a pose with velocities that stay.
   static RigidMotion from_velocities(const Pose& start, const RigidVelocities& velocities);
 
   const Pose& start() const { return start_; }               ///< at t = 0

@@ -6,10 +6,10 @@
 
 namespace graze {
 
-/// True if and only if two triangles of the mesh cross: their intersection is more than the welded
-/// vertex or edge that they have in common. Duplicates cross, unless they are segments or points
-/// that repeat a corner: these are no more than what they have in common. Exact for every finite
-/// mesh.
+/// True if and only if two triangles of the mesh intersect: what they share is more than the welded
+/// vertex or edge that they have in common. Touching elsewhere counts. Duplicates intersect, unless
+/// they are segments or points that repeat a corner: these are no more than what they have in
+/// common. Exact for every finite mesh.
 bool self_intersects(const Mesh& mesh, Work* work = nullptr);
 bool self_intersects(const Mesh& mesh, const SelfQuerySettings& settings, Work* work = nullptr);
 

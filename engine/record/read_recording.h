@@ -25,7 +25,7 @@ class RecordingReader {
   /// Reads the head and what the world was. Throws RecordingError, with file and byte, for what is
   /// no recording, is of another version, is damaged, or ends before there is a world.
   explicit RecordingReader(const std::filesystem::path& file);
-  /// The same from a stream; errors begin with `name`.
+  /// Reads a recording from a stream; errors begin with `name`.
   RecordingReader(std::unique_ptr<std::istream> stream, std::string name);
   ~RecordingReader();
   RecordingReader(RecordingReader&& other) noexcept;  ///< what was moved from can be destroyed or

@@ -60,7 +60,7 @@ struct BodyMoved {
 /// It was taken along a motion, and is swept.
 struct BodyTaken {
   BodyId id;           ///< of the body
-  RigidMotion motion;  ///< its way
+  RigidMotion motion;  ///< from where to where it goes
 };
 /// It has another shape.
 struct BodyReshaped {

@@ -23,7 +23,7 @@ struct ReadSceneSettings {
 /// Linear time and memory, but for hulls, which may have kMaxHullPoints points each.
 Scene read_scene(const std::filesystem::path& path, const ReadSceneSettings& settings = {});
 
-/// The same from memory; errors begin with `name`.
+/// Reads a scene from memory as read_scene() does from a file; errors begin with `name`.
 Scene parse_scene(std::string_view bytes, const std::string& name,
                   const ReadSceneSettings& settings = {});
 

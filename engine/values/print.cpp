@@ -7,7 +7,6 @@
 #include <ostream>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 namespace graze {
@@ -63,6 +62,22 @@ std::ostream& write_limited(std::ostream& out, const List& list, const char* of)
   return list.completeness == Completeness::LimitReached ? out << Text(" (limit reached)") : out;
 }
 
+struct Counter {
+  const char* name;
+  std::uint64_t count;
+};
+
+/// The counters that are not 0.
+template <std::size_t N>
+Text text_of(const Counter (&counters)[N]) {
+  Text text;
+  for (const auto& [name, count] : counters) {
+    if (count == 0) continue;
+    text.add(text.str().empty() ? "" : ", "), text.add(count), text.add(" "), text.add(name);
+  }
+  return text;
+}
+
 /// A number as an element of a list.
 struct Number {
   std::uint32_t value;
@@ -90,6 +105,9 @@ std::ostream& operator<<(std::ostream& out, const BoxId& id) {
   return out << Text("box ", id.index, ".", id.generation);
 }
 std::ostream& operator<<(std::ostream& out, const BodyPair& pair) {
+  return out << pair.a << Text(" and ") << pair.b;
+}
+std::ostream& operator<<(std::ostream& out, const WorldBodyPair& pair) {
   return out << pair.a << Text(" and ") << pair.b;
 }
 std::ostream& operator<<(std::ostream& out, const BoxPair& pair) {
@@ -127,6 +145,14 @@ std::ostream& operator<<(std::ostream& out, const Ray& ray) {
 std::ostream& operator<<(std::ostream& out, const Triangle& triangle) {
   return out << Text("triangle ", triangle.a, " ", triangle.b, " ", triangle.c);
 }
+std::ostream& operator<<(std::ostream& out, const VoxelGrid& grid) {
+  return out << Text("grid of ", grid.counts[0], " x ", grid.counts[1], " x ", grid.counts[2],
+                     " voxels of ", grid.edge, " from ", grid.origin);
+}
+std::ostream& operator<<(std::ostream& out, const RigidMotion& motion) {
+  return out << Text("from pose ", to_text(motion.start()), " by ", motion.shift(), " and ",
+                     motion.angle(), " rad about ", motion.axis(), " through ", motion.centre());
+}
 
 std::ostream& operator<<(std::ostream& out, const TrianglePairs& pairs) {
   return write_limited(out, pairs, "pairs");
@@ -140,6 +166,13 @@ std::ostream& operator<<(std::ostream& out, const TriangleList& list) {
 }
 std::ostream& operator<<(std::ostream& out, const TriangleDistance& gap) {
   return out << Text("distance ", gap.distance, " from ", gap.point_a, " to ", gap.point_b);
+}
+std::ostream& operator<<(std::ostream& out, const TriangleIntersection& common) {
+  static constexpr const char* kNames[] = {"nothing", "point", "segment", "polygon"};
+  Text text(kNames[static_cast<int>(common.kind)]);
+  for (const Eigen::Vector3d& corner : common)
+    text.add(" "), text.add(corner);
+  return out << text;
 }
 std::ostream& operator<<(std::ostream& out, const TriangleRayHit& hit) {
   return out << Text("hit at ", hit.distance, ", point ", hit.point, ", normal ", hit.normal);
@@ -199,6 +232,18 @@ std::ostream& operator<<(std::ostream& out, const MeshContacts& contacts) {
 std::ostream& operator<<(std::ostream& out, const Separation& separation) {
   return out << Text("apart after ", separation.distance, " along ", separation.direction);
 }
+std::ostream& operator<<(std::ostream& out, const VolumeFit& fit) {
+  Text text(name_of(fit.type), " of ", fit.volume, " m^3 and ", fit.surface, " m^2");
+  if (fit.empty_share) text.add(", empty share "), text.add(*fit.empty_share);
+  if (fit.relative_volume) text.add(", relative volume "), text.add(*fit.relative_volume);
+  return out << text;
+}
+std::ostream& operator<<(std::ostream& out, const MeshFit& fit) {
+  out << (fit.enclosed_volume ? Text("encloses ", *fit.enclosed_volume, " m^3") : Text("open"));
+  for (const VolumeFit& volume : fit.volumes)
+    out << Text("; ") << volume;
+  return out;
+}
 std::ostream& operator<<(std::ostream& out, const RayHit& hit) {
   out << Text("hit at ", hit.distance, ", point ", hit.point, ", normal ", hit.normal);
   return hit.triangle == kNoTriangle ? out : out << Text(", triangle ", hit.triangle);
@@ -208,6 +253,11 @@ std::ostream& operator<<(std::ostream& out, const ShapeDistance& gap) {
                      ", normal ", gap.normal, ", at least ", gap.lower_bound,
                      gap.status == PairStatus::Converged ? "" : ", not converged");
 }
+std::ostream& operator<<(std::ostream& out, const ShapeSeparation& apart) {
+  return out << Text("separation ", apart.distance, " from ", apart.point_a, " to ", apart.point_b,
+                     ", normal ", apart.normal,
+                     apart.status == PairStatus::Converged ? "" : ", not converged");
+}
 std::ostream& operator<<(std::ostream& out, const ShapeContact& contact) {
   return out << Text("[depth ", contact.depth, ", normal ", contact.normal, ", from ",
                      contact.point_a, " to ", contact.point_b, ", features ")
@@ -216,12 +266,27 @@ std::ostream& operator<<(std::ostream& out, const ShapeContact& contact) {
 std::ostream& operator<<(std::ostream& out, const Manifold& manifold) {
   return write_list(out, manifold, "contacts");
 }
+/// Two bodies, and their parts if one has a number other than 0.
+template <typename Pair>
+static std::ostream& write_pair(std::ostream& out, const Pair& pair, std::uint32_t part_a,
+                                std::uint32_t part_b) {
+  out << pair << Text(": ");
+  if (part_a != 0 || part_b != 0) out << Text("parts ", part_a, " and ", part_b, ", ");
+  return out;
+}
 std::ostream& operator<<(std::ostream& out, const BodyContact& contact) {
-  out << contact.pair << Text(": ");
   const Manifold& manifold = contact.manifold;
-  if (manifold.part_a() != 0 || manifold.part_b() != 0)
-    out << Text("parts ", manifold.part_a(), " and ", manifold.part_b(), ", ");
-  return out << manifold;
+  return write_pair(out, contact.pair, manifold.part_a(), manifold.part_b()) << manifold;
+}
+std::ostream& operator<<(std::ostream& out, const BodyPairDistance& found) {
+  return write_pair(out, WorldBodyPair{found.a, found.b}, found.part_a, found.part_b)
+         << found.distance;
+}
+std::ostream& operator<<(std::ostream& out, const BodyFirstContact& found) {
+  return write_pair(out, found.pair, found.part_a, found.part_b)
+         << found.contact
+         << Text(found.touches_at_start ? ", touching at the start" : "", ", point ", found.point,
+                 ", normal ", found.normal);
 }
 /// A body, and its part if that has a number other than 0.
 static std::ostream& write_found(std::ostream& out, const BodyId& id, std::uint32_t part) {
@@ -239,8 +304,35 @@ std::ostream& operator<<(std::ostream& out, const BodyCast& found) {
   return write_found(out, found.id, found.part) << found.contact;
 }
 
+std::ostream& operator<<(std::ostream& out, const Topology& topology) {
+  return out << Text(topology.is_closed ? "closed" : "open", ", ", topology.welded_vertices,
+                     " vertices, ", topology.components, " components, ", topology.boundary_edges,
+                     " boundary edges, ", topology.degenerate_triangles, " degenerate and ",
+                     topology.duplicate_triangles, " duplicate triangles");
+}
+std::ostream& operator<<(std::ostream& out, const MeshIntersection& common) {
+  return out << Text(common.curves.size(), " curves, ", common.patches.size(), " patches, ",
+                     common.touching_points.size(), " touching points: ", common.points.size(),
+                     " points, ", common.segments.size(), " segments and ", common.polygons.size(),
+                     " polygons of ", common.pairs.size(), " pairs");
+}
+std::ostream& operator<<(std::ostream& out, const Voxels& voxels) {
+  return out << Text(std::uint64_t{voxels.size()}, " voxels of a ") << voxels.grid;
+}
+std::ostream& operator<<(std::ostream& out, const FreedomCertificate& certificate) {
+  return out << Text("proof of ", certificate.steps.size(), " steps that ",
+                     certificate.order_a.size(), " and ", certificate.order_b.size(),
+                     " triangles stay further apart than ", certificate.clearance);
+}
+std::ostream& operator<<(std::ostream& out, const WorldUpdate& update) {
+  return out << Text(update.begun.size(), " begun, ", update.ended.size(), " ended, ",
+                     update.moved.size(), " moved, ", update.contacts.size(), " contacts, ",
+                     update.begun_near.size(), " begun near, ", update.ended_near.size(),
+                     " ended near, ", update.first_contacts.size(), " first contacts");
+}
+
 std::ostream& operator<<(std::ostream& out, const Work& work) {
-  const std::pair<const char*, std::uint64_t> counters[] = {
+  const Counter counters[] = {
       {"volume tests", work.volume_tests},
       {"volume rejections", work.volume_rejections},
       {"filter tests", work.filter_tests},
@@ -260,12 +352,31 @@ std::ostream& operator<<(std::ostream& out, const Work& work) {
       {"penetration failures", work.penetration_failures},
   };
   static_assert(sizeof(counters) / sizeof(counters[0]) == sizeof(Work) / sizeof(std::uint64_t));
-  Text text;
-  for (const auto& [name, count] : counters) {
-    if (count == 0) continue;
-    text.add(text.str().empty() ? "" : ", "), text.add(count), text.add(" "), text.add(name);
-  }
+  const Text text = text_of(counters);
   return out << (text.str().empty() ? Text("no work") : text);
+}
+std::ostream& operator<<(std::ostream& out, const WorldWork& work) {
+  const Counter counters[] = {
+      {"pairs filtered", work.pairs_filtered},
+      {"pairs at rest", work.pairs_at_rest},
+      {"pairs asleep", work.pairs_asleep},
+      {"pairs apart", work.pairs_apart},
+      {"shape tests", work.shape_tests},
+      {"gaps measured", work.gaps_measured},
+      {"pairs near", work.pairs_near},
+      {"contacts found", work.contacts_found},
+      {"contacts skipped", work.contacts_skipped},
+      {"islands merged", work.islands_merged},
+      {"islands split", work.islands_split},
+      {"island steps", work.island_steps},
+      {"pairs swept", work.pairs_swept},
+      {"trees unbuilt", work.trees_unbuilt},
+  };
+  static_assert(sizeof(counters) / sizeof(counters[0]) ==
+                (sizeof(WorldWork) - sizeof(Work)) / sizeof(std::uint64_t));
+  const Text text = text_of(counters);
+  if (text.str().empty()) return out << work.shapes;
+  return work.shapes == Work{} ? out << text : out << text << Text(", ") << work.shapes;
 }
 
 }  // namespace graze

@@ -90,7 +90,7 @@ enum class BodyKind : std::uint8_t {
 /// At which times an update looks at a body.
 enum class Detection : std::uint8_t {
   Discrete,   ///< where it is now
-  Continuous  ///< where it is now, and on all its way there since the last update: it is swept, so
+  Continuous  ///< where it is now, and all along its motion since the last update: it is swept, so
               ///< that nothing that it meets is too thin to be found
 };
 

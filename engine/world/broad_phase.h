@@ -58,7 +58,7 @@ using RayBoxVisitor = std::function<double(std::uint32_t index)>;
 /// same time.
 class BroadPhase {
  public:
-  /// Without boxes.
+  /// It begins without boxes.
   explicit BroadPhase(const BroadPhaseSettings& settings = {});
   ~BroadPhase();
   BroadPhase(BroadPhase&&) noexcept;

@@ -41,11 +41,11 @@ class Compound {
   bool contains(std::uint32_t part) const;
   /// How many parts there are.
   std::size_t size() const { return parts_.size() - free_.size(); }
-  /// Their numbers, ascending.
+  /// The numbers of the parts, ascending.
   std::vector<std::uint32_t> parts() const;
   /// The part in the compound's frame.
   const PlacedShape& part(std::uint32_t part) const;
-  /// As add() or set_settings() said last.
+  /// The settings that add() or set_settings() gave the part last.
   const PartSettings& settings(std::uint32_t part) const;
 
  private:

@@ -28,8 +28,8 @@ class ConvexHull {
   std::size_t vertex_count() const;
   Eigen::Vector3d vertex(std::size_t index) const;
 
-  /// As contacts count them: corners within 2^-21 of the hull's reach, the greatest distance from
-  /// the middle of its box, of one plane lie in one face.
+  /// As contacts count them: corners within 2^-21 of the hull's bounding radius, the greatest
+  /// distance from the middle of its box, of one plane lie in one face.
   std::size_t face_count() const;
 
   /// Its facets, exactly: triangles of corners are one only where they lie in one plane to the last
@@ -38,6 +38,9 @@ class ConvexHull {
   /// The vertices of a facet, counter-clockwise from outside. Valid as long as the hull or a copy
   /// is. Throws std::out_of_range for an index that is not below facet_count().
   std::span<const std::uint32_t> facet(std::size_t index) const;
+
+  /// True if both are handles to the same hull.
+  friend bool operator==(const ConvexHull& a, const ConvexHull& b) { return a.hull_ == b.hull_; }
 
  private:
   friend struct ConvexHullAccess;

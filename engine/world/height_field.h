@@ -62,7 +62,7 @@ class HeightField {
   /// what reaches beyond kLargestLength. O(columns rows).
   HeightField(std::uint32_t columns, std::uint32_t rows, std::span<const float> heights,
               const HeightFieldSettings& settings = {});
-  /// Likewise of 16-bit heights.
+  /// Takes 16-bit heights, and is like the constructor above in all else.
   HeightField(std::uint32_t columns, std::uint32_t rows, std::span<const std::uint16_t> heights,
               const HeightFieldSettings& settings = {});
 
@@ -86,7 +86,7 @@ class HeightField {
   /// kLargestLength, and for floats where heights have 16 bits, or the other way round. O(heights
   /// in the tiles that the part and the cells around it touch, and tiles).
   HeightField with_heights(const FieldRange& part, std::span<const float> heights) const;
-  /// Likewise of 16-bit heights.
+  /// Takes 16-bit heights, and is like the function above in all else.
   HeightField with_heights(const FieldRange& part, std::span<const std::uint16_t> heights) const;
 
   /// The smallest box around all triangles, metres, exactly.

@@ -9,6 +9,10 @@ namespace graze {
 struct PlacedShape {
   Shape shape;                   ///< a handle, where it is a hull or a mesh
   Pose pose = Pose::Identity();  ///< of the shape: it takes points of its frame to the world
+
+  bool operator==(const PlacedShape& other) const {
+    return shape == other.shape && are_equal(pose, other.pose);
+  }
 };
 
 /// What queries take: a shape in a pose, made of a PlacedShape or within the call itself, as in

@@ -19,24 +19,32 @@ namespace graze {
 /// [-half_extents, half_extents].
 struct Box {
   Eigen::Vector3d half_extents;  ///< metres, along x, y and z
+
+  bool operator==(const Box&) const = default;
 };
 
 /// The points at most `radius` from the segment between z = -half_length and z = half_length.
 struct Capsule {
   double radius;       ///< metres
   double half_length;  ///< 0 is a sphere
+
+  bool operator==(const Capsule&) const = default;
 };
 
 /// Between z = -half_height and z = half_height around the z axis.
 struct Cylinder {
   double radius;       ///< metres
   double half_height;  ///< metres
+
+  bool operator==(const Cylinder&) const = default;
 };
 
 /// The apex is at z = half_height, the base, of that radius, at z = -half_height.
 struct Cone {
   double radius;       ///< of the base, metres
   double half_height;  ///< metres
+
+  bool operator==(const Cone&) const = default;
 };
 
 /// The points x with normal . x <= offset.
@@ -45,6 +53,8 @@ struct HalfSpace {
   /// rounding as it is.
   Eigen::Vector3d normal;
   double offset = 0;  ///< for the normal as it is given
+
+  bool operator==(const HalfSpace&) const = default;
 };
 
 /// The points x with normal . x == offset: a plane that has no inside, and both sides of which are
@@ -54,6 +64,8 @@ struct HalfSpace {
 struct Plane {
   Eigen::Vector3d normal;  ///< either of the two; of any length but 0, and scaled to 1 by Shape
   double offset = 0;       ///< for the normal as it is given
+
+  bool operator==(const Plane&) const = default;
 };
 
 /// Which of the types a Shape is, in the order of Shape::Value.
@@ -118,6 +130,9 @@ class Shape {
   const T* as() const {
     return std::get_if<T>(&value_);
   }
+
+  /// True if both are of one type with the same numbers, or handles to the same.
+  friend bool operator==(const Shape&, const Shape&) = default;
 
  private:
   Value value_;

@@ -52,7 +52,7 @@ class VoxelMap {
   /// The pose of a full voxel in the map's frame: its middle, (origin + index edge) + edge / 2,
   /// each operation rounded. Its shape is box().
   Pose pose(std::uint32_t part) const;
-  /// Of each voxel: half the edge along each axis.
+  /// The shape of each voxel: half the edge along each axis.
   Shape box() const;
 
  private:

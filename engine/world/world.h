@@ -154,9 +154,10 @@ class World {
   void set_filter(BodyId id, const Filter& filter);
   void set_kind(BodyId id, BodyKind kind);
   void set_role(BodyId id, Role role);
-  /// Likewise. Throws InputError for a margin that is negative, infinite or NaN.
+  /// This holds from then on, too. Throws InputError for a margin that is negative, infinite or
+  /// NaN.
   void set_margin(BodyId id, double margin);
-  /// Whether the body is swept from here on: a way that it went before this call is forgotten. So
+  /// Sets whether the body is swept from here on: how it moved before this call is forgotten. So
   /// to take a body elsewhere without sweeping it, move it, and set Continuous again.
   void set_detection(BodyId id, Detection detection);
   /// A number that the world keeps and does not read.
@@ -182,12 +183,12 @@ class World {
   void sleep(std::span<const BodyId> ids);
   void wake(std::span<const BodyId> ids);
 
-  /// Two bodies never meet, or may meet again. An exclusion ends with either body.
+  /// Says that two bodies never meet, or may meet again. An exclusion ends with either body.
   void exclude(BodyId a, BodyId b);
   void include(BodyId a, BodyId b);
 
-  /// Asked last, once for each pair whose boxes begin to overlap and that all filters let pass. It
-  /// cannot change the world: what tries to, within an update, throws InputError.
+  /// The filter is asked last, once for each pair whose boxes begin to overlap and that all filters
+  /// let pass. It cannot change the world: what tries to, within an update, throws InputError.
   void set_pair_filter(std::function<bool(BodyId, BodyId)> filter);
 
   /// Whether the id is of a body that is there.
@@ -199,19 +200,19 @@ class World {
   const Pose& pose(BodyId id) const;
   /// What it was added with; valid until the body is gone or takes another.
   const BodyShape& shape(BodyId id) const;
-  /// As settings or set_kind() said last.
+  /// What settings or set_kind() said last.
   BodyKind kind(BodyId id) const;
-  /// As settings or set_role() said last.
+  /// What settings or set_role() said last.
   Role role(BodyId id) const;
-  /// As settings or set_margin() said last.
+  /// What settings or set_margin() said last.
   double margin(BodyId id) const;
-  /// As settings or set_detection() said last.
+  /// What settings or set_detection() said last.
   Detection detection(BodyId id) const;
-  /// As settings said, while it has the mesh.
+  /// What settings said, while the body has the mesh.
   const MeshSides& sides(BodyId id) const;
-  /// As settings or set_filter() said last.
+  /// What settings or set_filter() said last.
   const Filter& filter(BodyId id) const;
-  /// As settings or set_user_data() said last.
+  /// What settings or set_user_data() said last.
   std::uint64_t user_data(BodyId id) const;
   /// Whether it is awake: see sleep(). Static bodies are not, unless they are sensors.
   bool is_awake(BodyId id) const;

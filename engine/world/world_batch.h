@@ -16,7 +16,7 @@ namespace graze {
 /// A shape in each of many poses, as the second argument of questions to a world:
 /// `find_touching(world, {gripper, poses})`. It refers to both, which must outlive it.
 struct ShapeInPoses {
-  /// Refers to both.
+  /// Refers to the shape and the poses.
   ShapeInPoses(const Shape& of_shape, std::span<const Pose> in_poses)
       : shape(of_shape), poses(in_poses) {}
 
@@ -25,9 +25,9 @@ struct ShapeInPoses {
 };
 
 /// A shape in each of many motions, likewise: `cast(world, {gripper, motions})`. One that goes
-/// straight is `RigidMotion(pose, {.shift = way})`.
+/// straight is `RigidMotion(pose, {.shift = displacement})`.
 struct ShapeInMotions {
-  /// Refers to both.
+  /// Refers to the shape and the motions.
   ShapeInMotions(const Shape& of_shape, std::span<const RigidMotion> in_motions)
       : shape(of_shape), motions(in_motions) {}
 

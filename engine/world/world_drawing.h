@@ -48,11 +48,11 @@ struct DrawnLabel {
 class WorldDrawer {
  public:
   virtual ~WorldDrawer() = default;
-  /// One segment.
+  /// Draws a segment.
   virtual void line(const DrawnLine& line) = 0;
-  /// One point; not drawn unless this is overridden.
+  /// Draws a point; nothing unless this is overridden.
   virtual void point(const DrawnPoint&) {}
-  /// One word; likewise.
+  /// Draws a word; nothing unless this is overridden.
   virtual void label(const DrawnLabel&) {}
 };
 

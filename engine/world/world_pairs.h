@@ -1,11 +1,14 @@
 #pragma once
 
+#include <graze/bvh/hash.h>
 #include <graze/bvh/pose.h>
 #include <graze/engine/world/body.h>
 #include <graze/engine/world/ids.h>
 #include <graze/engine/world/shape_pairs.h>
 
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 
 namespace graze {
@@ -44,3 +47,10 @@ struct BodyPairDistance {
 };
 
 }  // namespace graze
+
+template <>
+struct std::hash<graze::WorldBodyPair> {
+  std::size_t operator()(const graze::WorldBodyPair& pair) const noexcept {
+    return graze::hash_of({pair.a.index, pair.a.generation, pair.b.index, pair.b.generation});
+  }
+};

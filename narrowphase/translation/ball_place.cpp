@@ -24,9 +24,9 @@ int bits_of_time(const Corners<double>& triangle, const MovingBall& ball) {
   for (const double* corner : triangle.point)
     size = std::max(size, largest_of(corner));
   if (ball.radius > 0) size = size > 0 ? std::min(size, ball.radius) : ball.radius;
-  const double way = largest_of(ball.displacement);
-  if (size == 0 || way == 0) return 0;
-  return std::max(0, std::ilogb(way) - std::ilogb(size) + kBitsOfPlace);
+  const double distance = largest_of(ball.displacement);
+  if (size == 0 || distance == 0) return 0;
+  return std::max(0, std::ilogb(distance) - std::ilogb(size) + kBitsOfPlace);
 }
 
 /// numerator / 2^bits
@@ -94,9 +94,9 @@ class FootAt {
       }
       case BallFeature::Kind::Face: {
         const BigVector& normal = features_.normal();
-        const BigVector way = scaled(features_.displacement(), time_.numerator);
+        const BigVector moved = scaled(features_.displacement(), time_.numerator);
         const BigInteger square = squared(normal);
-        return rounded(ball_.centre, way, square, scaled(normal, -dot(arm_, normal)));
+        return rounded(ball_.centre, moved, square, scaled(normal, -dot(arm_, normal)));
       }
     }
     return {corner[0], corner[1], corner[2]};
@@ -121,12 +121,12 @@ class FootAt {
   }
 
  private:
-  /// base + way / 2^bits + rest / (divisor 2^bits), in metres.
-  Eigen::Vector3d rounded(const double* base, const BigVector& way, const BigInteger& divisor,
+  /// base + moved / 2^bits + rest / (divisor 2^bits), in metres.
+  Eigen::Vector3d rounded(const double* base, const BigVector& moved, const BigInteger& divisor,
                           const BigVector& rest) const {
     const CommonUnit& unit = features_.unit();
     const BigVector from{unit.of(base[0]), unit.of(base[1]), unit.of(base[2])};
-    const BigVector all = sum(scaled(sum(shifted(from, time_.bits), way), divisor), rest);
+    const BigVector all = sum(scaled(sum(shifted(from, time_.bits), moved), divisor), rest);
     const BigInteger whole = divisor.shifted(time_.bits);
     return {rounded_ratio(all.x, whole, unit.exponent()),
             rounded_ratio(all.y, whole, unit.exponent()),

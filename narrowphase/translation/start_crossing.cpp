@@ -45,33 +45,34 @@ class DirectlyAfter {
   }
 
  private:
-  /// Of corners that move by `way` against a plane.
-  static PlaneSides sides(const Corners<double>& plane, const Corners<double>& other, Step way) {
+  /// Of corners that move by `displacement` against a plane.
+  static PlaneSides sides(const Corners<double>& plane, const Corners<double>& other,
+                          Step displacement) {
     PlaneSides sides = sides_of_plane(plane, other);
     if (!sides.has(Sign::Zero)) return sides;
-    const Sign slope =
-        sign_of_triple({plane.point[0], plane.point[1]}, {plane.point[0], plane.point[2]}, way);
+    const Sign slope = sign_of_triple({plane.point[0], plane.point[1]},
+                                      {plane.point[0], plane.point[2]}, displacement);
     for (Sign& sign : sides.sign) {
       if (sign == Sign::Zero) sign = slope;
     }
     return sides;
   }
 
-  /// orientation_3d() of the ends of two lines, the second of which moves by `way`.
-  static Sign of_lines(Step line, Step other, Step way) {
+  /// orientation_3d() of the ends of two lines, the second of which moves by `displacement`.
+  static Sign of_lines(Step line, Step other, Step displacement) {
     const Sign sign = orientation_3d(line.from, line.to, other.from, other.to);
-    return sign != Sign::Zero ? sign : sign_of_triple(line, -other, way);
+    return sign != Sign::Zero ? sign : sign_of_triple(line, -other, displacement);
   }
   Sign of_lines(Step line_a, Step line_b) const { return of_lines(line_a, line_b, d_); }
 
-  /// Whether a triangle without area goes through the inside of another one, which moves by `way`
-  /// against it.
+  /// Whether a triangle without area goes through the inside of another one, which moves by
+  /// `displacement` against it.
   static bool pierces(const Corners<double>& segment, const PlaneSides& sides,
-                      const Corners<double>& triangle, Step way) {
+                      const Corners<double>& triangle, Step displacement) {
     const Step line{segment.point[sides.first(Sign::Negative)],
                     segment.point[sides.first(Sign::Positive)]};
     const auto passes = [&](int i) {
-      return of_lines(line, {triangle.point[i], triangle.point[(i + 1) % 3]}, way);
+      return of_lines(line, {triangle.point[i], triangle.point[(i + 1) % 3]}, displacement);
     };
     const Sign first = passes(0);
     return first != Sign::Zero && passes(1) == first && passes(2) == first;

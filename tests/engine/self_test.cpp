@@ -59,22 +59,23 @@ TEST(Law9Self, BothKindsTogetherAreBruteForce) {
 SelfPairKind kind_of(const std::vector<Eigen::Vector3d>& vertices,
                      const std::vector<TriangleIndices>& triangles) {
   const Mesh mesh(vertices, triangles);
-  const bool is_crossing = self_intersects(mesh);
-  EXPECT_EQ(find_self_pairs(mesh, {.kind = SelfPairKind::Neighbour}).size(), is_crossing ? 0u : 1u);
-  return is_crossing ? SelfPairKind::Crossing : SelfPairKind::Neighbour;
+  const bool is_intersecting = self_intersects(mesh);
+  EXPECT_EQ(find_self_pairs(mesh, {.kind = SelfPairKind::Neighbour}).size(),
+            is_intersecting ? 0u : 1u);
+  return is_intersecting ? SelfPairKind::Intersecting : SelfPairKind::Neighbour;
 }
 
 TEST(Self, KindsAreToldApartByWhatIsShared) {
   const Eigen::Vector3d o(0, 0, 0), x(4, 0, 0), y(0, 4, 0), z(0, 0, 4), in(1, 1, 0), far(-4, -4, 0);
   EXPECT_EQ(kind_of({o, x, y, z}, {{0, 1, 2}, {0, 1, 3}}), SelfPairKind::Neighbour) << "an edge";
   EXPECT_EQ(kind_of({o, x, y, z}, {{0, 1, 2}, {0, 3, 3}}), SelfPairKind::Neighbour) << "a vertex";
-  EXPECT_EQ(kind_of({o, x, y, in}, {{0, 1, 2}, {0, 1, 3}}), SelfPairKind::Crossing)
+  EXPECT_EQ(kind_of({o, x, y, in}, {{0, 1, 2}, {0, 1, 3}}), SelfPairKind::Intersecting)
       << "folded flat";
   EXPECT_EQ(kind_of({o, x, y, far}, {{0, 1, 2}, {0, 1, 3}}), SelfPairKind::Neighbour)
       << "unfolded flat";
-  EXPECT_EQ(kind_of({o, x, y, in, z}, {{0, 1, 2}, {0, 3, 4}}), SelfPairKind::Crossing)
+  EXPECT_EQ(kind_of({o, x, y, in, z}, {{0, 1, 2}, {0, 3, 4}}), SelfPairKind::Intersecting)
       << "edge in the face";
-  EXPECT_EQ(kind_of({o, x, y}, {{0, 1, 2}, {2, 1, 0}}), SelfPairKind::Crossing)
+  EXPECT_EQ(kind_of({o, x, y}, {{0, 1, 2}, {2, 1, 0}}), SelfPairKind::Intersecting)
       << "the same triangle twice";
   EXPECT_EQ(kind_of({o, x, y, o, x, z}, {{0, 1, 2}, {3, 4, 5}}), SelfPairKind::Neighbour)
       << "welded";
@@ -106,11 +107,11 @@ std::vector<TrianglePair> pairs_one_by_one(const Mesh& mesh, SelfPairKind kind) 
       const auto placed = [&](const TriangleIndices& t) -> Triangle {
         return {mesh.vertices()[t[0]], mesh.vertices()[t[1]], mesh.vertices()[t[2]]};
       };
-      const bool is_crossing =
+      const bool is_intersecting =
           shared == 0 || shared == 3 ||
           (shared == 2 ? narrowphase::intersect_beyond_edge(placed(a), placed(b))
                        : narrowphase::intersect_beyond_vertex(placed(a), placed(b)));
-      if (is_crossing == (kind == SelfPairKind::Crossing)) pairs.push_back({i, j});
+      if (is_intersecting == (kind == SelfPairKind::Intersecting)) pairs.push_back({i, j});
     }
   }
   return pairs;
@@ -137,7 +138,7 @@ Mesh make_tip(int rays, int turns, double height) {
 }
 
 void expect_one_by_one(const Mesh& mesh, std::size_t& crossings) {
-  const std::vector<TrianglePair> crossing = pairs_one_by_one(mesh, SelfPairKind::Crossing);
+  const std::vector<TrianglePair> crossing = pairs_one_by_one(mesh, SelfPairKind::Intersecting);
   crossings += crossing.size();
   EXPECT_EQ(self_intersects(mesh), !crossing.empty());
   for (const Volume volume : kVolumes) {

@@ -9,6 +9,7 @@
 #include <string>
 #include <unordered_map>
 #include <unordered_set>
+#include <vector>
 
 #include "tests/shapes/formula_meshes.h"
 #include "tests/shapes/pose_at.h"
@@ -37,6 +38,10 @@ TEST(Values, IdsAndPairsAreKeysOfTables) {
   EXPECT_EQ(boxes.size(), 1000u);
   EXPECT_EQ(touching.size(), 1000u);
   EXPECT_EQ(touching.at({{7, 0}, {8, 0}}), 1);
+  std::unordered_set<WorldBodyPair> of_two_worlds;
+  for (std::uint32_t i = 0; i < 1000; ++i)
+    of_two_worlds.insert(WorldBodyPair{{i % 10, i / 100}, {i / 10 % 10, 0}});
+  EXPECT_EQ(of_two_worlds.size(), 1000u);
   std::unordered_set<std::size_t> low_bits;
   for (std::uint32_t i = 0; i < 256; ++i)
     low_bits.insert(std::hash<TrianglePair>()({i, 0}) % 256);
@@ -75,6 +80,37 @@ TEST(Values, ResultsAreEqualWhereAllTheirNumbersAre) {
   EXPECT_NE(manifold, Manifold());
 }
 
+TEST(Values, ShapesAndMotionsAreEqualWhereAllTheirNumbersAre) {
+  const Mesh mesh = tests::make_box({1, 1, 1});
+  const ConvexHull hull(mesh.vertices());
+  const std::vector<Shape> shapes{Sphere{{0, 0, 0}, 1},
+                                  Box{{1, 2, 3}},
+                                  Capsule{1, 2},
+                                  Cylinder{1, 2},
+                                  Cone{1, 2},
+                                  Ellipsoid{{0, 0, 0}, {1, 2, 3}},
+                                  hull,
+                                  HalfSpace{{0, 0, 1}, 2},
+                                  mesh,
+                                  Plane{{0, 0, 1}, 2},
+                                  Box{{1, 2, 4}},
+                                  Cylinder{2, 2}};
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    for (std::size_t j = 0; j < shapes.size(); ++j)
+      EXPECT_EQ(shapes[i] == shapes[j], i == j);
+    const PlacedShape placed{shapes[i], tests::at(1)};
+    EXPECT_EQ(placed, (PlacedShape{shapes[i], tests::at(1)}));
+    EXPECT_FALSE(placed == (PlacedShape{shapes[i], tests::at(2)}));
+  }
+  EXPECT_FALSE(Shape(hull) == Shape(ConvexHull(mesh.vertices()))) << "another handle";
+  EXPECT_EQ((PlacedMesh{mesh, tests::at(1)}), (PlacedMesh{mesh, tests::at(1)}));
+  EXPECT_FALSE((PlacedMesh{mesh}) == (PlacedMesh{tests::make_box({1, 1, 1})}));
+  EXPECT_EQ((RigidCourse{.angle = 1}), (RigidCourse{.angle = 1}));
+  EXPECT_FALSE((RigidCourse{.angle = 1}) == (RigidCourse{.angle = 2}));
+  EXPECT_FALSE((RigidVelocities{.duration = 1}) == (RigidVelocities{.duration = 2}));
+  EXPECT_FALSE((Screw{.pitch = 1}) == (Screw{.pitch = 2}));
+}
+
 TEST(Values, TextIsTheSameWhateverTheStreamHasSet) {
   EXPECT_EQ(text_of(BodyId{3, 1}), "body 3.1");
   EXPECT_EQ(text_of(BodyPair{{3, 1}, {4, 0}}), "body 3.1 and body 4.0");
@@ -98,6 +134,63 @@ TEST(Values, TextIsTheSameWhateverTheStreamHasSet) {
   Work work;
   work.volume_tests = 12, work.exact_tests = 1;
   EXPECT_EQ(text_of(work), "12 volume tests, 1 exact tests");
+  WorldWork of_world;
+  EXPECT_EQ(text_of(of_world), "no work");
+  of_world.pairs_apart = 3;
+  EXPECT_EQ(text_of(of_world), "3 pairs apart");
+  of_world.shapes = work;
+  EXPECT_EQ(text_of(of_world), "3 pairs apart, 12 volume tests, 1 exact tests");
+}
+
+TEST(Values, TextOfWhatTwoShareIsOneLine) {
+  const Mesh box = tests::make_box({1, 1, 1});
+  EXPECT_EQ(text_of(box.topology()),
+            "closed, 8 vertices, 1 components, 0 boundary edges, 0 degenerate and 0 duplicate "
+            "triangles");
+  EXPECT_EQ(text_of(MeshIntersection{}),
+            "0 curves, 0 patches, 0 touching points: 0 points, 0 segments and 0 polygons of 0 "
+            "pairs");
+  const Voxels voxels = find_voxels(box, {.resolution = 2});
+  EXPECT_EQ(text_of(voxels), "8 voxels of a grid of 2 x 2 x 2 voxels of 1 from (-1, -1, -1)");
+  const Triangle s{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  EXPECT_EQ(text_of(intersection(s, {{5, 5, 5}, {6, 5, 5}, {5, 6, 5}})), "nothing");
+  EXPECT_EQ(text_of(intersection(s, {{0, 0, 0}, {-1, 0, 0}, {0, -1, 0}})), "point (0, 0, 0)");
+  const ShapeSeparation apart{2, {1, 0, 0}, {3, 0, 0}, {1, 0, 0}, PairStatus::Converged};
+  EXPECT_EQ(text_of(apart), "separation 2 from (1, 0, 0) to (3, 0, 0), normal (1, 0, 0)");
+  const MeshFit fit = measure_fit(box);
+  EXPECT_EQ(text_of(fit.volumes[0]), "aabb of 8 m^3 and 24 m^2, empty share 0");
+  EXPECT_EQ(text_of(fit).substr(0, 31), "encloses 8 m^3; aabb of 8 m^3 a");
+}
+
+TEST(Values, TextOfMotionsAndWorldsIsOneLine) {
+  const Mesh box = tests::make_box({1, 1, 1});
+  const RigidMotion rest(Pose::Identity()), passing(tests::at(4), {.shift = {1, 0, 0}});
+  EXPECT_EQ(text_of(passing),
+            "from pose 1 0 0 4 0 1 0 0 0 0 1 0 by (1, 0, 0) and 0 rad about (0, 0, 1) through "
+            "(0, 0, 0)");
+  const auto proof = certify_free(box, rest, box, passing);
+  ASSERT_TRUE(proof);
+  EXPECT_EQ(text_of(*proof), "proof of 1 steps that 12 and 12 triangles stay further apart than 0");
+  EXPECT_EQ(text_of(WorldUpdate{}),
+            "0 begun, 0 ended, 0 moved, 0 contacts, 0 begun near, 0 ended near, 0 first contacts");
+  EXPECT_EQ(text_of(WorldBodyPair{{3, 1}, {4, 0}}), "body 3.1 and body 4.0");
+  const ShapeDistance gap{.distance = 1,
+                          .lower_bound = 1,
+                          .point_a = {0, 0, 0},
+                          .point_b = {1, 0, 0},
+                          .normal = {1, 0, 0},
+                          .status = PairStatus::Converged};
+  EXPECT_EQ(text_of(BodyPairDistance{{3, 1}, {4, 0}, gap, 0, 2}),
+            "body 3.1 and body 4.0: parts 0 and 2, distance 1 from (0, 0, 0) to (1, 0, 0), normal "
+            "(1, 0, 0), at least 1");
+  BodyFirstContact contact{};
+  contact.pair = {{3, 1}, {4, 0}};
+  contact.contact.status = RigidStatus::Hit;
+  contact.contact.low = 0.25, contact.contact.high = 0.5;
+  contact.normal = contact.point = Eigen::Vector3d(1, 0, 0);
+  EXPECT_EQ(
+      text_of(contact),
+      "body 3.1 and body 4.0: free up to 0.25, hit at 0.5, point (1, 0, 0), normal (1, 0, 0)");
 }
 
 TEST(Values, TextOfAPoseIsReadBackToTheLastBit) {

@@ -95,7 +95,7 @@ void BoxOrder::insert(std::uint32_t proxy, const OrderedBox& box) {
   if (!fill_hole(proxy, box)) store_.append(proxy, box);
 }
 
-/// A box that leaves its neighbours for good would make their block span the way between.
+/// A box that leaves its neighbours for good would make their block span the space between.
 bool BoxOrder::leaves_neighbours(const Layer& layer, std::uint32_t block,
                                  const OrderedBox& box) const {
   const std::uint32_t block_in_layer = block - layer.first_block;

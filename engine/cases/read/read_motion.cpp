@@ -15,13 +15,13 @@ bool is_endless(const Shape& shape) {
 /// Throws what the library throws for such a motion of such a shape.
 struct MotionCheck {
   void operator()(const CaseMesh& mesh) const {
-    check_reach(motion_of(mesh), mesh.mesh.bounds(), "the motion");
+    check_coordinates(motion_of(mesh), mesh.mesh.bounds(), "the motion");
   }
   void operator()(const CaseBody& body) const {
     const RigidMotion motion = motion_of(body);
     if (is_endless(body.shape)) return;  // it has no end that could be too far away
     const Pose here = Pose::Identity();
-    check_reach(motion, bounding_aabb({body.shape, here}), "the motion");
+    check_coordinates(motion, bounding_aabb({body.shape, here}), "the motion");
   }
   template <typename Other>
   void operator()(const Other&) const {}

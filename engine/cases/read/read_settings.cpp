@@ -72,8 +72,10 @@ CaseSettings read_settings(const JsonCursor& root, Ask ask) {
     }
     if (at.has("kind")) {
       if (ask != Ask::SelfPairs) at.member("kind").fail("only \"self_pairs\" has a kind");
-      const bool is_neighbour = is_second(at.member("kind"), "crossing", "neighbour");
-      settings.self_kind = is_neighbour ? SelfPairKind::Neighbour : SelfPairKind::Crossing;
+      // Kept cases may still say "crossing" where it is "intersecting" now.
+      const bool is_neighbour = at.member("kind").text() != "crossing" &&
+                                is_second(at.member("kind"), "intersecting", "neighbour");
+      settings.self_kind = is_neighbour ? SelfPairKind::Neighbour : SelfPairKind::Intersecting;
     }
     if (at.has("limit")) {
       if (ask != Ask::Pairs && ask != Ask::SelfPairs) {

@@ -47,7 +47,7 @@ the two triangles that show it best, the separating axes and piercing by determi
 with corners placed in the common frame, in A's, and from A's first corner, beside the same in rational numbers. The first step that gives the
 recorded answer is named: an axis, a determinant, or placing itself. --answer is judged in its place: yes, no, a
 distance, or of a first contact "free" or a time. With --json: {"question":...,"verdict":"wrong","pair":[a,b],
-"ways":[{"placed":"in A's frame","numbers":"double","touch":true,"axes":true,"determinants":false,
+"variants":[{"placed":"in A's frame","numbers":"double","touch":true,"axes":true,"determinants":false,
 "misleading":[{"name":...,"computed":...,"exact":...,"ulps":...}]}],"why":...}
 
 Of two shapes it says in words what proves the truth: the plane that parts them, the points that are nearest, the point

@@ -22,9 +22,9 @@ heuristic).
 With --check, what is wrong with the mesh, and where, in numbers of vertices and triangles that
 count from 0: open edges, where the surface ends; non-manifold edges, of more than two triangles;
 turned edges, whose triangles face opposite sides; degenerate and duplicate triangles; inside-out
-parts, closed ones that do not face outwards, or into the cavity that they bound; and triangles that
-cross. Beside a triangle stands the line of the file, counted from 1, or the byte, counted from 0,
-at which its polygon begins. --json lists the first thousand of each.
+parts, closed ones that do not face outwards, or into the cavity that they bound; and triangles
+that intersect. Beside a triangle stands the line of the file, counted from 1, or the byte, counted
+from 0, at which its polygon begins. --json lists the first thousand of each.
 
 With --fit, of the bounding volumes around the mesh, how much space each leaves empty: of a closed
 mesh the share of the volume that the mesh does not enclose, in per cent; of an open one its
@@ -69,7 +69,7 @@ ExitCode run_info(const InfoOptions& options, Output& output) {
       };
       const MeshReport report =
           report_mesh(options.meshes[i], {.has_fits = options.has_fits,
-                                          .has_crossing_pairs = options.is_self,
+                                          .has_self_intersections = options.is_self,
                                           .has_health = options.is_check,
                                           .on_progress = on_progress});
       if (i > 0 && !options.is_json) text += "\n";
@@ -92,7 +92,7 @@ void add_info_command(CLI::App& program, Action& action) {
   command->add_flag("--fit", options->has_fits,
                     "how well bounding volumes fit the mesh and its tree (may take long)");
   command->add_flag("--self", options->is_self,
-                    "count the pairs of triangles that cross (may take long)");
+                    "count the pairs of triangles that intersect (may take long)");
   command->add_flag("--json", options->is_json, "one JSON object per line and mesh");
   command->add_flag("--progress", options->has_progress,
                     "report progress on stderr even if it is no terminal");

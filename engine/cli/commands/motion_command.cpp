@@ -219,9 +219,9 @@ ExitCode run_motion(const MotionOptions& options, Output& output) {
   const Mesh mesh_a = load_mesh(options.mesh_a);
   const Mesh mesh_b = options.mesh_b == options.mesh_a ? mesh_a : load_mesh(options.mesh_b);
   // Before the first answer, so that nothing is printed where a later motion is refused.
-  check_reach(rest, mesh_a.bounds(), "--pose-a");
+  check_coordinates(rest, mesh_a.bounds(), "--pose-a");
   for (std::size_t i = 0; i < motions.size(); ++i)
-    check_reach(motions[i], mesh_b.bounds(), ("motion " + std::to_string(i)).c_str());
+    check_coordinates(motions[i], mesh_b.bounds(), ("motion " + std::to_string(i)).c_str());
   return MotionRun(options, mesh_a, rest, mesh_b, motions, output).run();
 }
 

@@ -62,7 +62,7 @@ class RecordReader {
  private:
   compare::JournalReader& file_;
   const RecordedJob<Record>& job_;
-  std::size_t next_;  // place
+  std::size_t next_;  ///< a place in the job
   std::vector<Record> block_;
   std::size_t at_ = 0;
 };
@@ -197,7 +197,7 @@ class RecordedRun {
   const CompareOptions& options_;
   const RecordedJob<Record>& job_;
   std::size_t done_ = 0;
-  std::size_t fresh_ = 0;  // of these, in this run
+  std::size_t fresh_ = 0;  ///< how many of these were done in this run
   Progress progress_;
   std::optional<compare::JournalReader> baseline_file_;
   std::optional<RecordReader<Record>> baseline_reader_;

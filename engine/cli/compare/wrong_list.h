@@ -58,8 +58,8 @@ class WrongList {
   std::set<std::string> have_cases_;
   std::size_t count_ = 0;
   std::size_t named_ = 0;
-  std::map<std::size_t, compare::WrongAnswer> first_;  // by the number in which they came
-  std::vector<std::pair<std::size_t, compare::WrongAnswer>> worst_;  // a heap, the least on top
+  std::map<std::size_t, compare::WrongAnswer> first_;  ///< by the number in which they came
+  std::vector<std::pair<std::size_t, compare::WrongAnswer>> worst_;  ///< a heap, the least on top
   std::map<std::string, Closing> closing_;
   std::map<std::pair<std::string, compare::ErrorClass>, std::vector<compare::WrongAnswer>>
       examples_;

@@ -123,9 +123,10 @@ bool do_intersect(const PairJob& job, const Pose& pose_b, Work& work) {
 }
 
 void ask_for_pairs(const PairJob& job, const Pose& pose_b, int threads, PoseAnswer& answer) {
-  answer.pairs = find_triangle_pairs({job.mesh_a, job.pose_a}, {job.mesh_b, pose_b},
-                                     {.volume = job.volume, .touch = job.touch, .threads = threads},
-                                     &answer.work);
+  const bool is_shared = job.volume == PairVolume::WideObb;
+  answer.pairs = find_triangle_pairs(
+      {job.mesh_a, job.pose_a}, {job.mesh_b, pose_b},
+      {.volume = job.volume, .touch = job.touch, .threads = is_shared ? threads : 1}, &answer.work);
   answer.intersects = !answer.pairs->empty();
   if (job.interior == Interior::Solid && (!answer.intersects || job.touch == Touch::Exclude))
     answer.intersects = do_intersect(job, pose_b, answer.work);

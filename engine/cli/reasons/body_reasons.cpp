@@ -19,7 +19,7 @@ namespace {
 using compare::PlacedBody;
 using Eigen::Vector3d;
 
-/// So near, of the largest coordinate, both bounds of a shortest way are looked for.
+/// So near, of the largest coordinate, both bounds of a shortest translation are looked for.
 constexpr double kNearEnough = 1e-9;
 
 bool is_surface(const PlacedBody& body) {
@@ -123,9 +123,9 @@ void add_claimed_depth(const PlacedBody& a, const PlacedBody& b, const CaseAnswe
       deepest.depth, words_of(deepest.normal), needed));
 }
 
-/// How far B must go the way of the answer, and how far the shortest way, by planes.
-void add_claimed_way(const PlacedBody& a, const PlacedBody& b, const CaseAnswer& answer,
-                     Reasons& all) {
+/// How far B must go along the answer, and how far along the shortest direction, by planes.
+void add_claimed_translation(const PlacedBody& a, const PlacedBody& b, const CaseAnswer& answer,
+                             Reasons& all) {
   const double length = answer.translation->norm();
   if (length > 0) {
     const Vector3d n = *answer.translation / length;
@@ -212,7 +212,8 @@ Reasons body_reasons(const Case& query, const compare::Judgement& judgement) {
   }
   if (query.ask == Ask::Separation && answer.translation) {
     const compare::BodyCase bodies = *compare::as_bodies(query);
-    add_claimed_way({bodies.a.shape, bodies.a.pose}, {bodies.b.shape, bodies.b.pose}, answer, all);
+    add_claimed_translation({bodies.a.shape, bodies.a.pose}, {bodies.b.shape, bodies.b.pose},
+                            answer, all);
   }
   if (judgement.verdict == compare::Verdict::Wrong) all.push_back(words_of_error(judgement));
   return all;

@@ -134,18 +134,18 @@ void GltfFile::add_channel(std::size_t node, const char* path, std::size_t times
 }
 
 void GltfFile::add_motion(std::size_t node, std::size_t times, std::span<const Pose> poses) {
-  std::vector<float> ways, turns;
+  std::vector<float> translations, turns;
   Eigen::Quaternionf last = turn_of(poses.front());
   for (const Pose& pose : poses) {
     Eigen::Quaternionf turn = turn_of(pose);
     if (turn.dot(last) < 0) turn.coeffs() = -turn.coeffs();
     last = turn;
     for (int k = 0; k < 3; ++k)
-      ways.push_back(static_cast<float>(pose.translation()[k]));
+      translations.push_back(static_cast<float>(pose.translation()[k]));
     for (int k = 0; k < 4; ++k)
       turns.push_back(turn.coeffs()[k]);
   }
-  add_channel(node, "translation", times, add_floats(ways, 3, false), "LINEAR");
+  add_channel(node, "translation", times, add_floats(translations, 3, false), "LINEAR");
   add_channel(node, "rotation", times, add_floats(turns, 4, false), "LINEAR");
 }
 

@@ -16,7 +16,7 @@ namespace {
 using cases::json_plain_or_infinite;
 using cases::json_string;
 using compare::ClassicStep;
-using compare::ClassicWay;
+using compare::ClassicVariant;
 using compare::MeshCase;
 using compare::Verdict;
 
@@ -47,11 +47,11 @@ std::string no_blame(const CaseExplanation& e) {
          "out, a tolerance.";
 }
 
-std::vector<ClassicWay> ways_in(const std::vector<ClassicWay>& ways,
-                                compare::ClassicNumbers numbers) {
-  std::vector<ClassicWay> some;
-  for (const ClassicWay& way : ways)
-    if (way.numbers == numbers) some.push_back(way);
+std::vector<ClassicVariant> variants_in(const std::vector<ClassicVariant>& variants,
+                                        compare::ClassicNumbers numbers) {
+  std::vector<ClassicVariant> some;
+  for (const ClassicVariant& variant : variants)
+    if (variant.numbers == numbers) some.push_back(variant);
   return some;
 }
 
@@ -76,19 +76,19 @@ void explain_wrong(const Case& query, CaseExplanation& e) {
   }
   const std::optional<MeshCase> meshes = compare::as_meshes(query);
   e.pair = pair_of(*meshes, e.judgement.culprit);
-  e.ways = compare::classic_ways({meshes->a.mesh.triangle(e.pair->a), meshes->a.pose,
-                                  meshes->b.mesh.triangle(e.pair->b), meshes->b.pose});
+  e.variants = compare::classic_variants({meshes->a.mesh.triangle(e.pair->a), meshes->a.pose,
+                                          meshes->b.mesh.triangle(e.pair->b), meshes->b.pose});
   if (!is_about_signs(query)) {
     e.why = fmt::format(
         "The answer is a number, which is off by {:.3g} m: {:.3g} ulp of double, {:.3g} of float.",
         e.judgement.error, e.judgement.ulps, e.judgement.ulps * 0x1p-29);
     return;
   }
-  const bool says = !e.ways.front().placed_touch;
+  const bool says = !e.variants.front().placed_touch;
   const std::optional<std::string> in_double =
-      compare::blame(ways_in(e.ways, compare::ClassicNumbers::Double), says);
+      compare::blame(variants_in(e.variants, compare::ClassicNumbers::Double), says);
   const std::optional<std::string> in_float =
-      compare::blame(ways_in(e.ways, compare::ClassicNumbers::Float), says);
+      compare::blame(variants_in(e.variants, compare::ClassicNumbers::Float), says);
   if (in_double) {
     e.why = *in_double;
   } else if (in_float && e.judgement.ulps > compare::kTouchUlps) {
@@ -115,15 +115,16 @@ std::string step_json(const ClassicStep& step) {
                      number_json(step.ulps));
 }
 
-std::string way_json(const ClassicWay& way) {
+std::string variant_json(const ClassicVariant& variant) {
   std::string out = fmt::format(
       "{{\"placed\":{},\"numbers\":{},\"moved\":{},\"touch\":{},\"axes\":{},\"determinants\":{},"
       "\"misleading\":[",
-      json_string(name_of(way.frame)), json_string(name_of(way.numbers)),
-      json_plain_or_infinite(way.moved), way.placed_touch, way.axes.says, way.determinants.says);
+      json_string(name_of(variant.frame)), json_string(name_of(variant.numbers)),
+      json_plain_or_infinite(variant.moved), variant.placed_touch, variant.axes.says,
+      variant.determinants.says);
   const char* separator = "";
-  for (const compare::ClassicRun* run : {&way.axes, &way.determinants}) {
-    const ClassicStep* step = run->misleading(way.placed_touch);
+  for (const compare::ClassicRun* run : {&variant.axes, &variant.determinants}) {
+    const ClassicStep* step = run->misleading(variant.placed_touch);
     if (step == nullptr) continue;
     out += separator + step_json(*step);
     separator = ",";
@@ -171,10 +172,10 @@ std::string to_text(const CaseExplanation& e) {
         fmt::format("  shown by         triangle {} of A and {} of B\n\n", e.pair->a, e.pair->b);
     text += fmt::format("  {:<20}{:<9}{:<15}{:<11}{:<7}{}\n", "placed", "in", "moved by (m)",
                         "do touch", "axes", "determinants");
-    for (const ClassicWay& way : e.ways) {
-      text += fmt::format("  {:<20}{:<9}{:<15.3g}{:<11}{:<7}{}\n", name_of(way.frame),
-                          name_of(way.numbers), way.moved, yes(way.placed_touch),
-                          yes(way.axes.says), yes(way.determinants.says));
+    for (const ClassicVariant& variant : e.variants) {
+      text += fmt::format("  {:<20}{:<9}{:<15.3g}{:<11}{:<7}{}\n", name_of(variant.frame),
+                          name_of(variant.numbers), variant.moved, yes(variant.placed_touch),
+                          yes(variant.axes.says), yes(variant.determinants.says));
     }
     text += "\n";
   }
@@ -196,8 +197,8 @@ std::string to_json(const CaseExplanation& e) {
         json_plain_or_infinite(judgement.error), json_plain_or_infinite(judgement.ulps));
   }
   if (e.pair) {
-    out += fmt::format(",\"pair\":[{},{}],\"ways\":", e.pair->a, e.pair->b);
-    out += cases::json_list(e.ways, ",", way_json);
+    out += fmt::format(",\"pair\":[{},{}],\"variants\":", e.pair->a, e.pair->b);
+    out += cases::json_list(e.variants, ",", variant_json);
   }
   if (e.reasons) {
     out += ",\"reasons\":" + cases::json_list(*e.reasons, ",", [](const std::string& each) {

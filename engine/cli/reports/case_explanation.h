@@ -19,7 +19,7 @@ struct CaseExplanation {
   std::string says;
   compare::Judgement judgement;
   std::optional<TrianglePair> pair = {};  ///< that shows it best; none: no two triangles do
-  std::vector<compare::ClassicWay> ways = {};
+  std::vector<compare::ClassicVariant> variants = {};
   /// What proves the truth, of shapes, motions, rays and points, whatever the verdict; none of
   /// others.
   std::optional<Reasons> reasons = {};

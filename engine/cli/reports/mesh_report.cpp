@@ -103,7 +103,7 @@ MeshReport report_mesh(const std::string& file, const MeshReportSettings& settin
                     .fit = std::nullopt,
                     .levels = {},
                     .tree = bvh::statistics_of(tree_of(mesh)),
-                    .crossing_pairs = std::nullopt,
+                    .self_intersections = std::nullopt,
                     .health = std::nullopt,
                     .places = {}};
   steps.end_one();
@@ -120,8 +120,8 @@ MeshReport report_mesh(const std::string& file, const MeshReportSettings& settin
     if (!report.health->is_healthy()) report.places = places_in(file, mesh);
     steps.end_one();
   }
-  if (settings.has_crossing_pairs) {
-    report.crossing_pairs =
+  if (settings.has_self_intersections) {
+    report.self_intersections =
         report.health ? report.health->self_intersections.size() : find_self_pairs(mesh).size();
   }
   return report;
@@ -148,7 +148,7 @@ std::string to_json(const MeshReport& report) {
   }
   json["tree"] = to_object(report.tree);
   if (report.health) json["health"] = health_object(*report.health, report.places);
-  if (report.crossing_pairs) json["crossing_pairs"] = *report.crossing_pairs;
+  if (report.self_intersections) json["self_intersections"] = *report.self_intersections;
   // File names need not be UTF-8, JSON must be.
   return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
@@ -177,8 +177,8 @@ std::string to_text(const MeshReport& report) {
     for (const auto& [name, value] : health_lines(*report.health, report.places))
       append(text, name, value);
   }
-  if (report.crossing_pairs) {
-    append(text, "crossing pairs", std::to_string(*report.crossing_pairs));
+  if (report.self_intersections) {
+    append(text, "self-intersections", std::to_string(*report.self_intersections));
   }
   return text;
 }

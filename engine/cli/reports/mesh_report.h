@@ -26,16 +26,16 @@ struct MeshReport {
   std::optional<MeshFit> fit;  ///< none, too, if a volume around the mesh overflows
   std::vector<LevelFit> levels;
   bvh::TreeStatistics tree;
-  std::optional<std::size_t> crossing_pairs;  ///< if asked for
-  std::optional<MeshHealth> health;           ///< if asked for
-  std::vector<mesh_io::Place> places;         ///< of the triangles, if any of them is faulty
+  std::optional<std::size_t> self_intersections;  ///< if asked for
+  std::optional<MeshHealth> health;               ///< if asked for
+  std::vector<mesh_io::Place> places;             ///< of the triangles, if any of them is faulty
 };
 
 /// What may take long is only done if it is asked for.
 struct MeshReportSettings {
-  bool has_fits = false;            ///< volumes around the mesh and around the nodes of its tree
-  bool has_crossing_pairs = false;  ///< count the pairs of triangles that cross
-  bool has_health = false;          ///< what is wrong with the mesh
+  bool has_fits = false;  ///< volumes around the mesh and around the nodes of its tree
+  bool has_self_intersections = false;  ///< count the pairs of triangles that intersect
+  bool has_health = false;              ///< what is wrong with the mesh
   /// Called with how much is done, per cent.
   std::function<void(std::size_t per_cent)> on_progress = [](std::size_t) {};
 };

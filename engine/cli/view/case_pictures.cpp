@@ -203,8 +203,8 @@ class CasePictures {
 
   void add_ray(const Ray& ray, double beside) {
     const Eigen::Vector3d direction = ray.direction.stableNormalized();
-    const double reach = std::min(ray.max_distance, 4 * beside);
-    page_.view.add_line(ray.origin, ray.origin + reach * direction);
+    const double length = std::min(ray.max_distance, 4 * beside);
+    page_.view.add_line(ray.origin, ray.origin + length * direction);
     page_.view.add_label(ray.origin, "ray");
   }
 

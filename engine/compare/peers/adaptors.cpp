@@ -8,7 +8,7 @@ namespace graze::compare {
 std::unique_ptr<Engine> make_adaptor(const std::string& name) {
 #if GRAZE_HAS_FCL
   if (name == "fcl") return make_fcl_engine();
-  if (std::unique_ptr<Engine> way = make_fcl_motion_engine(name)) return way;
+  if (std::unique_ptr<Engine> engine = make_fcl_motion_engine(name)) return engine;
   if (std::unique_ptr<Engine> manager = make_fcl_manager_engine(name)) return manager;
 #endif
 #if GRAZE_HAS_BULLET

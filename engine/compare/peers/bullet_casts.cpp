@@ -49,11 +49,12 @@ namespace {
 /// Bullet goes no further in one step, radians.
 constexpr double kMostTurnedByBullet = 0.25 * SIMD_PI;
 
-/// So far from the axis an origin may lie, as a share of its way to the centre: what rounding does.
+/// So far from the axis an origin may lie, as a share of its distance to the centre: what rounding
+/// does.
 constexpr double kBesideTheAxis = 0x1p-40;
 
 /// From one pose of Bullet's to another: the origin goes straight.
-struct BulletWay {
+struct BulletMotion {
   btTransform from;
   btTransform to;
   bool turns;
@@ -64,16 +65,16 @@ btTransform bullet_pose(Pose pose, const Eigen::Vector3d& centre) {
   return to_bullet(pose);
 }
 
-/// None if Bullet would go another way.
-std::optional<BulletWay> way_of(const Pose& pose, const std::optional<RigidCourse>& course,
-                                const Eigen::Vector3d& centre) {
+/// None if Bullet would go another path.
+std::optional<BulletMotion> motion_of(const Pose& pose, const std::optional<RigidCourse>& course,
+                                      const Eigen::Vector3d& centre) {
   const RigidMotion motion = course ? RigidMotion(pose, *course) : RigidMotion(pose);
   if (std::abs(motion.angle()) >= kMostTurnedByBullet) return std::nullopt;
   const Eigen::Vector3d arm = pose * centre - motion.centre();
   if (motion.angle() != 0 && arm.cross(motion.axis()).norm() > kBesideTheAxis * arm.norm())
     return std::nullopt;
-  return BulletWay{bullet_pose(pose, centre), bullet_pose(motion.at(1), centre),
-                   motion.angle() != 0};
+  return BulletMotion{bullet_pose(pose, centre), bullet_pose(motion.at(1), centre),
+                      motion.angle() != 0};
 }
 
 /// What a cast found: nothing, for it does not know such a pair, or the time of a contact, or none.
@@ -81,7 +82,7 @@ struct BulletFinding {
   std::optional<double> contact;
 };
 
-BulletFinding finding_of(btConvexCast& cast, const BulletWay& a, const BulletWay& b) {
+BulletFinding finding_of(btConvexCast& cast, const BulletMotion& a, const BulletMotion& b) {
   btConvexCast::CastResult result;
   result.m_fraction = 1;
   if (!cast.calcTimeOfImpact(a.from, a.to, b.from, b.to, result)) return {};
@@ -89,8 +90,8 @@ BulletFinding finding_of(btConvexCast& cast, const BulletWay& a, const BulletWay
 }
 
 std::optional<BulletFinding> cast_convex(BulletCast how, const btConvexShape& shape_a,
-                                         const BulletWay& a, const btConvexShape& shape_b,
-                                         const BulletWay& b) {
+                                         const BulletMotion& a, const btConvexShape& shape_b,
+                                         const BulletMotion& b) {
   btVoronoiSimplexSolver simplex;
   if (how == BulletCast::Continuous) {
     btGjkEpaPenetrationDepthSolver depth;
@@ -107,17 +108,18 @@ std::optional<BulletFinding> cast_convex(BulletCast how, const btConvexShape& sh
 }
 
 /// Bullet's mesh rests: what is cast at it goes as seen from the mesh.
-std::optional<BulletFinding> cast_at_mesh(const btConvexShape& shape, const BulletWay& moving,
-                                          btBvhTriangleMeshShape& mesh, const BulletWay& way) {
-  if (way.turns) return std::nullopt;
+std::optional<BulletFinding> cast_at_mesh(const btConvexShape& shape, const BulletMotion& moving,
+                                          btBvhTriangleMeshShape& mesh,
+                                          const BulletMotion& of_mesh) {
+  if (of_mesh.turns) return std::nullopt;
   btTransform to = moving.to;
-  to.setOrigin(to.getOrigin() - (way.to.getOrigin() - way.from.getOrigin()));
+  to.setOrigin(to.getOrigin() - (of_mesh.to.getOrigin() - of_mesh.from.getOrigin()));
   btCollisionObject object;
   object.setCollisionShape(&mesh);
-  object.setWorldTransform(way.from);
+  object.setWorldTransform(of_mesh.from);
   btCollisionWorld::ClosestConvexResultCallback nearest(moving.from.getOrigin(), to.getOrigin());
-  btCollisionWorld::objectQuerySingle(&shape, moving.from, to, &object, &mesh, way.from, nearest,
-                                      0);
+  btCollisionWorld::objectQuerySingle(&shape, moving.from, to, &object, &mesh, of_mesh.from,
+                                      nearest, 0);
   BulletFinding finding;
   if (nearest.hasHit()) finding.contact = nearest.m_closestHitFraction;
   return finding;
@@ -138,23 +140,23 @@ std::optional<CaseAnswer> BulletCasts::answer(const Question& question, const Pl
     if (!bodies_[shape]) bodies_[shape] = std::make_unique<Body>(shapes_[shape]);
   }
   const Body &one = *bodies_[a.shape], &two = *bodies_[b.shape];
-  const std::optional<BulletWay> way_a = way_of(a.pose, question.course_a, one.centre());
-  const std::optional<BulletWay> way_b = way_of(b.pose, question.course_b, two.centre());
-  if (!way_a || !way_b) return std::nullopt;
+  const std::optional<BulletMotion> motion_a = motion_of(a.pose, question.course_a, one.centre());
+  const std::optional<BulletMotion> motion_b = motion_of(b.pose, question.course_b, two.centre());
+  if (!motion_a || !motion_b) return std::nullopt;
   const bool is_first = how_ == BulletCast::Continuous;
   std::optional<BulletFinding> found;
   if (one.convex() && two.convex()) {
-    found = cast_convex(how_, *one.convex(), *way_a, *two.convex(), *way_b);
+    found = cast_convex(how_, *one.convex(), *motion_a, *two.convex(), *motion_b);
   } else if (is_first && one.convex() && two.half_space()) {
     btContinuousConvexCollision cast(one.convex(), two.half_space());
-    found = finding_of(cast, *way_a, *way_b);
+    found = finding_of(cast, *motion_a, *motion_b);
   } else if (is_first && one.half_space() && two.convex()) {
     btContinuousConvexCollision cast(two.convex(), one.half_space());
-    found = finding_of(cast, *way_b, *way_a);
+    found = finding_of(cast, *motion_b, *motion_a);
   } else if (is_first && one.convex() && two.mesh()) {
-    found = cast_at_mesh(*one.convex(), *way_a, *two.mesh(), *way_b);
+    found = cast_at_mesh(*one.convex(), *motion_a, *two.mesh(), *motion_b);
   } else if (is_first && one.mesh() && two.convex()) {
-    found = cast_at_mesh(*two.convex(), *way_b, *one.mesh(), *way_a);
+    found = cast_at_mesh(*two.convex(), *motion_b, *one.mesh(), *motion_a);
   }
   if (!found) return std::nullopt;
   return answer_of_motion(question.ask, found->contact);

@@ -1,5 +1,5 @@
-// FCL's other ways to a first contact, engines beside "fcl", which is asked with FCL's defaults:
-// their answers differ, and whoever uses FCL has to choose one. They know motions alone.
+// FCL's other methods for a first contact, engines beside "fcl", which is asked with FCL's
+// defaults: their answers differ, and whoever uses FCL has to choose one. They know motions alone.
 
 #include <graze/engine/compare/fcl_engine.h>
 #include <graze/engine/compare/peers/adaptors.h>
@@ -12,13 +12,13 @@
 namespace graze::compare {
 namespace {
 
-struct NamedWay {
+struct NamedFclMotion {
   const char* name;
   FclMotionSettings settings;
 };
 
 /// One setting at a time.
-constexpr std::array<NamedWay, 12> kWays = {{
+constexpr std::array<NamedFclMotion, 12> kNamedMotions = {{
     {"fcl-advancement", {.how = FclContinuous::Advanced}},
     {"fcl-1000", {.samples = 1000, .time_error = 1e-3}},
     {"fcl-swapped", {.order = FclOrder::Swapped}},
@@ -34,9 +34,9 @@ constexpr std::array<NamedWay, 12> kWays = {{
     {"fcl-advancement-screw", {.how = FclContinuous::Advanced, .course = FclCourse::Screw}},
 }};
 
-class FclWayPair : public LoadedPair {
+class FclMotionPair : public LoadedPair {
  public:
-  FclWayPair(const Mesh& mesh_a, const Mesh& mesh_b, const FclMotionSettings& settings)
+  FclMotionPair(const Mesh& mesh_a, const Mesh& mesh_b, const FclMotionSettings& settings)
       : motions_(std::array{Shape(mesh_a), Shape(mesh_b)}, settings) {}
 
   std::optional<CaseAnswer> answer(const Question& question, const Pose& pose_a,
@@ -48,9 +48,9 @@ class FclWayPair : public LoadedPair {
   FclMotions motions_;
 };
 
-class FclWayShapes : public LoadedShapes {
+class FclMotionShapes : public LoadedShapes {
  public:
-  FclWayShapes(std::span<const Shape> shapes, const FclMotionSettings& settings)
+  FclMotionShapes(std::span<const Shape> shapes, const FclMotionSettings& settings)
       : motions_(shapes, settings) {}
 
   std::optional<bool> intersects(std::size_t, const Pose&, std::size_t,
@@ -66,30 +66,30 @@ class FclWayShapes : public LoadedShapes {
   FclMotions motions_;
 };
 
-class FclWayEngine : public Engine {
+class FclMotionEngine : public Engine {
  public:
-  explicit FclWayEngine(const NamedWay& way) : way_(way) {}
-  CaseWitness name() const override { return {way_.name, fcl_version()}; }
+  explicit FclMotionEngine(const NamedFclMotion& motion) : motion_(motion) {}
+  CaseWitness name() const override { return {motion_.name, fcl_version()}; }
   std::optional<std::vector<Ask>> questions() const override {
     return std::vector<Ask>{Ask::FirstContact, Ask::Free};
   }
   std::unique_ptr<LoadedPair> load(const Mesh& mesh_a, const Mesh& mesh_b) const override {
-    return std::make_unique<FclWayPair>(mesh_a, mesh_b, way_.settings);
+    return std::make_unique<FclMotionPair>(mesh_a, mesh_b, motion_.settings);
   }
   std::unique_ptr<LoadedShapes> load_shapes(std::span<const Shape> shapes) const override {
-    return std::make_unique<FclWayShapes>(shapes, way_.settings);
+    return std::make_unique<FclMotionShapes>(shapes, motion_.settings);
   }
 
  private:
-  NamedWay way_;
+  NamedFclMotion motion_;
 };
 
 }  // namespace
 
 std::unique_ptr<Engine> make_fcl_motion_engine(const std::string& name) {
-  const auto way = std::find_if(kWays.begin(), kWays.end(),
-                                [&](const NamedWay& each) { return each.name == name; });
-  return way == kWays.end() ? nullptr : std::make_unique<FclWayEngine>(*way);
+  const auto motion = std::find_if(kNamedMotions.begin(), kNamedMotions.end(),
+                                   [&](const NamedFclMotion& each) { return each.name == name; });
+  return motion == kNamedMotions.end() ? nullptr : std::make_unique<FclMotionEngine>(*motion);
 }
 
 }  // namespace graze::compare

@@ -38,15 +38,15 @@ class GrazeShapes : public LoadedShapes {
 
   std::optional<CaseAnswer> answer(const Question& question, const PlacedShape& a,
                                    const PlacedShape& b) const override {
-    if (cases::is_about_motion(question.ask)) return answer_about_ways(question, a, b);
+    if (cases::is_about_motion(question.ask)) return answer_about_motions(question, a, b);
     return graze_answer(question, CaseBody(shapes_[a.shape], a.pose),
                         CaseBody(shapes_[b.shape], b.pose));
   }
 
  private:
   /// Of height fields as they stand, which a case holds as meshes.
-  std::optional<CaseAnswer> answer_about_ways(const Question& question, const PlacedShape& a,
-                                              const PlacedShape& b) const {
+  std::optional<CaseAnswer> answer_about_motions(const Question& question, const PlacedShape& a,
+                                                 const PlacedShape& b) const {
     const auto motion = [](const PlacedShape& placed, const std::optional<RigidCourse>& course) {
       return course ? RigidMotion(placed.pose, *course) : RigidMotion(placed.pose);
     };

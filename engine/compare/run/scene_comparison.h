@@ -15,10 +15,10 @@ namespace graze::compare {
 struct SceneComparisonSettings {
   std::size_t steps = 0;  ///< after step 0
   double step = 0;        ///< seconds; 0: as the scene says
-  /// Any: whether they touch at each step; or FirstContact or Free: of the way from the step
+  /// Any: whether they touch at each step; or FirstContact or Free: of the motion from the step
   /// before.
   Ask ask = Ask::Any;
-  double clearance = 0;  ///< metres, of questions about ways
+  double clearance = 0;  ///< metres, of questions about motions
 };
 
 /// Of a scene's time, seconds.
@@ -33,17 +33,17 @@ struct TimeSpan {
 /// Of steps before the range nothing is asked; the world goes through them all the same, for what
 /// it remembers is on trial. Of `on_records` see run_comparison(). Throws what Simulation throws.
 ///
-/// Asked about ways, place n is the way from step n - 1 to step n, and place 0 none: each body goes
-/// as RigidMotion::between() its two poses does. All pairs of which one moves are asked about.
-/// Judged (Judge) is what somebody does not call free, and all of two meshes; these pairs are
-/// differences, but for those of meshes whose freedom is proved. In the world everything that the
-/// scene moves is swept, and what it lists first of a pair must be what graze says of that pair
+/// Asked about motions, place n is the motion from step n - 1 to step n, and place 0 none: each
+/// body goes as RigidMotion::between() its two poses does. All pairs of which one moves are asked
+/// about. Judged (Judge) is what somebody does not call free, and all of two meshes; these pairs
+/// are differences, but for those of meshes whose freedom is proved. In the world everything that
+/// the scene moves is swept, and what it lists first of a pair must be what graze says of that pair
 /// alone, bit for bit.
 void compare_scene(const Scene& scene, std::span<const EngineEntry> engines,
                    const SceneComparisonSettings& settings, const PlaceRange& range,
                    const std::function<bool(std::vector<StepRecord>)>& on_records);
 
-/// The question about two bodies of the scene at the end of a time, or on their ways through it.
+/// The question about two bodies of the scene at the end of a time, or in their motions through it.
 Case case_of(const Scene& scene, const ScenePair& pair, const SceneComparisonSettings& settings,
              const TimeSpan& span);
 

@@ -71,32 +71,32 @@ class SweptWorld {
 };
 
 /// Where a body is at the beginning of a step, and where it goes; none if it rests.
-struct BodyOnWay {
+struct MovingSceneBody {
   PlacedShape placed;
   std::optional<RigidCourse> course = {};
 };
 
-BodyOnWay on_way(const SceneBody& body, double from, double to) {
-  BodyOnWay way{{body.shape, pose_at(body, from)}};
+MovingSceneBody moving_body(const SceneBody& body, double from, double to) {
+  MovingSceneBody moved{{body.shape, pose_at(body, from)}};
   const Pose end = pose_at(body, to);
-  if (are_equal(way.placed.pose, end)) return way;
-  const RigidMotion motion = RigidMotion::between(way.placed.pose, end);
-  way.course = RigidCourse{.centre = motion.centre(),
-                           .shift = motion.shift(),
-                           .axis = motion.axis(),
-                           .angle = motion.angle()};
-  return way;
+  if (are_equal(moved.placed.pose, end)) return moved;
+  const RigidMotion motion = RigidMotion::between(moved.placed.pose, end);
+  moved.course = RigidCourse{.centre = motion.centre(),
+                             .shift = motion.shift(),
+                             .axis = motion.axis(),
+                             .angle = motion.angle()};
+  return moved;
 }
 
 bool is_free(const CaseAnswer& answer) {
   return answer.says ? *answer.says : answer.status == RigidStatus::Free;
 }
 
-/// All pairs on their ways through one step.
-class WayTrial {
+/// All pairs in their motions through one step.
+class MotionTrial {
  public:
-  WayTrial(const Scene& scene, std::span<const SceneEngine> engines,
-           const SceneComparisonSettings& settings, SweptStep world)
+  MotionTrial(const Scene& scene, std::span<const SceneEngine> engines,
+              const SceneComparisonSettings& settings, SweptStep world)
       : scene_(scene),
         engines_(engines),
         settings_(settings),
@@ -108,7 +108,7 @@ class WayTrial {
     for (const SceneEngine& engine : engines)
       record_.engines.push_back({engine.entry().name, 0, "", 0});
     for (const SceneBody& body : scene.bodies)
-      ways_.push_back(on_way(body, world_.from, world_.to));
+      moving_.push_back(moving_body(body, world_.from, world_.to));
   }
 
   /// Whom the world lists though it should not look at them is asked about, too.
@@ -137,7 +137,9 @@ class WayTrial {
     Heard heard;
   };
 
-  bool rests(const ScenePair& pair) const { return !ways_[pair.a].course && !ways_[pair.b].course; }
+  bool rests(const ScenePair& pair) const {
+    return !moving_[pair.a].course && !moving_[pair.b].course;
+  }
 
   CaseAnswer world_answer(const ScenePair& pair) const {
     const auto met = world_.met.find(pair);
@@ -155,13 +157,13 @@ class WayTrial {
     ++record_.questions;
     const Question question{.ask = settings_.ask,
                             .settings = {.clearance = settings_.clearance},
-                            .course_a = ways_[pair.a].course,
-                            .course_b = ways_[pair.b].course};
+                            .course_a = moving_[pair.a].course,
+                            .course_b = moving_[pair.b].course};
     heard_.clear();
     add(nullptr, 0, {.answer = world_answer(pair)});
     for (std::size_t i = 0; i < engines_.size(); ++i)
       add(&engines_[i], i + 1,
-          engines_[i].hear(question, ways_[pair.a].placed, ways_[pair.b].placed));
+          engines_[i].hear(question, moving_[pair.a].placed, moving_[pair.b].placed));
     const bool are_all_free = std::all_of(heard_.begin(), heard_.end(), [](const Said& each) {
       return each.heard.said.answer && is_free(*each.heard.said.answer);
     });
@@ -216,7 +218,8 @@ class WayTrial {
             return judge->judge(answer, {name, ""});
           },
           [&] {
-            return each.engine->hear_alone(question, ways_[pair.a].placed, ways_[pair.b].placed);
+            return each.engine->hear_alone(question, moving_[pair.a].placed,
+                                           moving_[pair.b].placed);
           });
     }
   }
@@ -261,21 +264,21 @@ class WayTrial {
   std::span<const SceneEngine> engines_;
   const SceneComparisonSettings& settings_;
   SweptStep world_;
-  std::vector<BodyOnWay> ways_;
+  std::vector<MovingSceneBody> moving_;
   std::vector<std::string> said_;  // digests, of the world and of each engine
   StepRecord record_;
   std::vector<Said> heard_;  // of the last pair; the world's first
 };
 
-CaseShape case_shape(const Scene& scene, const BodyOnWay& way, bool are_meshes) {
-  const Shape& shape = scene.shapes[way.placed.shape].shape;
+CaseShape case_shape(const Scene& scene, const MovingSceneBody& moved, bool are_meshes) {
+  const Shape& shape = scene.shapes[moved.placed.shape].shape;
   if (are_meshes) {
-    CaseMesh mesh(*shape.as<Mesh>(), way.placed.pose);
-    mesh.course = way.course;
+    CaseMesh mesh(*shape.as<Mesh>(), moved.placed.pose);
+    mesh.course = moved.course;
     return mesh;
   }
-  CaseBody body(shape, way.placed.pose);
-  body.course = way.course;
+  CaseBody body(shape, moved.placed.pose);
+  body.course = moved.course;
   return body;
 }
 
@@ -292,7 +295,7 @@ void compare_scene_motions(const Scene& scene, std::span<const EngineEntry> engi
   run_in_order<StepRecord>(
       one_by_one, [&](std::size_t step) { return world.at(step); },
       [&](std::size_t, SweptStep step) {
-        return WayTrial(scene, loaded, settings, std::move(step)).run(meeting);
+        return MotionTrial(scene, loaded, settings, std::move(step)).run(meeting);
       },
       on_records);
 }
@@ -309,8 +312,8 @@ Case case_of(const Scene& scene, const ScenePair& pair, const SceneComparisonSet
   return {.note = "",
           .ask = settings.ask,
           .settings = {.clearance = settings.clearance},
-          .a = case_shape(scene, on_way(a, start, span.to), are_meshes),
-          .b = case_shape(scene, on_way(b, start, span.to), are_meshes),
+          .a = case_shape(scene, moving_body(a, start, span.to), are_meshes),
+          .b = case_shape(scene, moving_body(b, start, span.to), are_meshes),
           .answer = std::nullopt,
           .answered_by = {}};
 }

@@ -55,9 +55,9 @@ void run_in_order(const PlaceRange& range, const Begin& begin, const Make& make,
   std::condition_variable is_handed_on;
   struct Piece {
     std::vector<Record> records;
-    bool is_whole;  // else nothing can follow it
+    bool is_whole;  ///< nothing can follow one that is not
   };
-  std::map<std::size_t, Piece> done;  // that wait for their turn
+  std::map<std::size_t, Piece> done;  // these wait for their turn
   std::size_t handed_on = 0;
 
   const auto stop = [&] {

@@ -84,7 +84,7 @@ Met list_crossings(const Mesh& mesh, const MeshParts& parts, const CheckSettings
   const std::size_t total = mesh.triangles().size();
   std::size_t next_report = total / kReports;
   Met met;
-  for_each_crossing_self_pair(
+  for_each_self_intersection(
       mesh, work,
       [&](TrianglePair pair) {
         health.self_intersections.pairs.push_back(pair);

@@ -35,15 +35,15 @@ void mark_unbalanced(std::span<const DirectedEdge> edge, MeshParts& parts) {
     parts.is_oriented[part] = parts.is_consistent[part] = false;
     return;
   }
-  std::vector<std::pair<std::uint32_t, int>> ways;
+  std::vector<std::pair<std::uint32_t, int>> senses;
   for (const DirectedEdge& each : edge)
-    ways.emplace_back(parts.part_of[each.of.triangle], each.is_ascending ? 1 : -1);
-  std::sort(ways.begin(), ways.end());
-  for (std::size_t i = 0; i < ways.size();) {
-    const std::uint32_t part = ways[i].first;
+    senses.emplace_back(parts.part_of[each.of.triangle], each.is_ascending ? 1 : -1);
+  std::sort(senses.begin(), senses.end());
+  for (std::size_t i = 0; i < senses.size();) {
+    const std::uint32_t part = senses[i].first;
     long excess = 0;
-    for (; i < ways.size() && ways[i].first == part; ++i)
-      excess += ways[i].second;
+    for (; i < senses.size() && senses[i].first == part; ++i)
+      excess += senses[i].second;
     if (excess != 0) parts.is_oriented[part] = false;
   }
 }

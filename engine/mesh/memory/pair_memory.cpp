@@ -231,7 +231,7 @@ TrianglePairs find_triangle_pairs(const PlacedMeshView& mesh_a, const PlacedMesh
                                   Work* work) {
   return bvh::in_standard_arithmetic([&]() -> TrianglePairs {
     narrowphase::check_touch(settings.touch);
-    check_threads(settings.threads);
+    check_threads(settings.threads, settings.limit);
     PairCache& cache = recall(memory, mesh_a, mesh_b);
     if (cache.are_still_apart_by(0, work)) return {};
     return find_pairs(mesh_a, mesh_b, cache, settings, work);

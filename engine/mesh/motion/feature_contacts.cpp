@@ -76,7 +76,7 @@ void FeatureContacts::ask_start(const MeshPathAccess::Data& a, const MeshPathAcc
   const bool may_touch = settings_.start == StartContact::IsLeft || have_common_vertices;
   const bool is_hit = may_touch ? crosses(triangle_a, triangle_b)
                                 : narrowphase::decide(triangle_a, triangle_b).is_hit;
-  if (is_hit) take({0, true, pair, MeetingFeatures::Crossing, 0, 0});
+  if (is_hit) take({0, true, pair, MeetingFeatures::AtStart, 0, 0});
 }
 
 template <typename FeatureA, typename FeatureB>

@@ -6,7 +6,7 @@
 #include <graze/engine/mesh/pairs/binary_pairs.h>
 #include <graze/engine/mesh/pairs/parallel_pairs.h>
 #include <graze/engine/mesh/query/candidates.h>
-#include <graze/engine/mesh/query/crossing_pairs.h>
+#include <graze/engine/mesh/query/pair_list.h>
 #include <graze/engine/mesh/query/query_results.h>
 #include <graze/engine/mesh/query/threads.h>
 #include <graze/engine/mesh/query/wide_query.h>
@@ -65,8 +65,10 @@ void for_each_pair(const PlacedMeshView& a, const PlacedMeshView& b, const PairS
   for_each_binary_pair(a, b, settings.touch, work, by_volume, on_pair);
 }
 
-bool is_unlimited(const PairSettings& settings) {
-  return settings.limit == kNoLimit;
+void check_sharing(const PairSettings& settings) {
+  check_threads(settings.threads, settings.limit);
+  if (settings.threads != 1 && settings.volume != PairVolume::WideObb)
+    throw InputError("threads: a query by another volume than wide boxes is for one thread alone");
 }
 
 }  // namespace
@@ -107,9 +109,9 @@ TrianglePairs find_triangle_pairs(const PlacedMeshView& mesh_a, const PlacedMesh
                                   const PairSettings& settings, Work* work) {
   return bvh::in_standard_arithmetic([&]() -> TrianglePairs {
     CountedWork counted(work);
-    check_threads(settings.threads);
+    check_sharing(settings);
     TrianglePairs found;
-    if (settings.threads != 1 && is_unlimited(settings) && settings.volume == PairVolume::WideObb) {
+    if (settings.threads != 1) {
       narrowphase::check_touch(settings.touch);
       if (are_balls_apart(mesh_a, mesh_b, &counted.work())) return found;
       const WideQuery query(mesh_a, mesh_b, counted.work());

@@ -95,14 +95,14 @@ class SelfQuery {
     const Triangle triangle_b = triangle(b.index, adjacency.corners_b);
     if (adjacency.shared == 0) {
       if (!do_strangers_meet(triangle_a, triangle_b)) return std::nullopt;
-      return SelfPairKind::Crossing;
+      return SelfPairKind::Intersecting;
     }
     ++work_.exact_tests;
-    const bool is_crossing =
+    const bool is_intersecting =
         adjacency.shared == 3 ||
         (adjacency.shared == 2 ? narrowphase::intersect_beyond_edge(triangle_a, triangle_b)
                                : narrowphase::intersect_beyond_vertex(triangle_a, triangle_b));
-    return is_crossing ? SelfPairKind::Crossing : SelfPairKind::Neighbour;
+    return is_intersecting ? SelfPairKind::Intersecting : SelfPairKind::Neighbour;
   }
 
  private:
@@ -182,7 +182,7 @@ void for_each_self_pair(const Mesh& mesh, const SelfSettings& settings, Work& wo
     work.filter_tests += is_same ? a.count * (a.count - 1) / 2 : a.count * b.count;
     const bvh::ClusterPairs pairs = is_same ? bvh::pairs_within(a) : bvh::pairs_of(a, b);
     std::uint64_t open = pairs.overlapping;
-    if (settings.kind == SelfPairKind::Crossing) open &= ~pairs.sharing;
+    if (settings.kind == SelfPairKind::Intersecting) open &= ~pairs.sharing;
     for (; open != 0; open &= open - 1) {
       const int bit = std::countr_zero(open);
       const std::uint32_t one = a.primitive[bit / 8], other = b.primitive[bit % 8];
@@ -205,28 +205,29 @@ void for_each_self_pair(const Mesh& mesh, const SelfSettings& settings, Work& wo
   for_each_self_pair(mesh, settings, work, on_pair, [](std::uint32_t) {});
 }
 
-/// How many pairs of triangles are tested, leaf by leaf, before clusters are made: where much
-/// crosses a pair that does is found sooner than that, and where nothing does this costs a
-/// twentieth of the rest.
+/// How many pairs of triangles are tested, leaf by leaf, before clusters are made: where many
+/// intersect a pair that does is found sooner than that, and where none does this costs a twentieth
+/// of the rest.
 std::uint64_t tests_alone(const Mesh& mesh) {
   return 512 + mesh.triangles().size() / 8;
 }
 
-/// Whether any pair crosses, if the first few tests say so: all of a small mesh.
-std::optional<bool> crosses_at_first(const Mesh& mesh, Volume volume, Work& work) {
+/// Whether any pair intersects, if the first few tests say so: all of a small mesh.
+std::optional<bool> intersects_at_first(const Mesh& mesh, Volume volume, Work& work) {
   const NodeVolumes volumes = volumes_of(mesh, volume, work);
   const bvh::Tree& tree = tree_of(mesh);
   SelfQuery query(mesh, work);
   const std::uint64_t most_tests = work.triangle_tests + tests_alone(mesh);
-  bool is_crossing = false;
+  bool is_intersecting = false;
   const auto test_leaves = [&](const bvh::Node& leaf_a, const bvh::Node& leaf_b) {
     const bool is_same = &leaf_a == &leaf_b;
     for (std::uint32_t i = leaf_a.first; i < leaf_a.first + leaf_a.count; ++i) {
       const WeldedTriangle one = query.welded(tree.primitives[i]);
       const std::uint32_t first = is_same ? i + 1 : leaf_b.first;
       for (std::uint32_t j = first; j < leaf_b.first + leaf_b.count; ++j) {
-        is_crossing = query.meet(one, query.welded(tree.primitives[j])) == SelfPairKind::Crossing;
-        if (is_crossing || work.triangle_tests >= most_tests) return bvh::Walk::Stop;
+        is_intersecting =
+            query.meet(one, query.welded(tree.primitives[j])) == SelfPairKind::Intersecting;
+        if (is_intersecting || work.triangle_tests >= most_tests) return bvh::Walk::Stop;
       }
     }
     return bvh::Walk::Continue;
@@ -235,15 +236,15 @@ std::optional<bool> crosses_at_first(const Mesh& mesh, Volume volume, Work& work
   with_own_separation(volume, volumes, [&](const auto& separation) {
     walk = bvh::traverse_self(tree, CountedSeparation(separation, work), test_leaves);
   });
-  if (walk == bvh::Walk::Stop && !is_crossing) return std::nullopt;
-  return is_crossing;
+  if (walk == bvh::Walk::Stop && !is_intersecting) return std::nullopt;
+  return is_intersecting;
 }
 
 }  // namespace
 
-void for_each_crossing_self_pair(const Mesh& mesh, Work& work,
-                                 const std::function<void(TrianglePair)>& on_pair,
-                                 const std::function<void(std::size_t)>& on_done) {
+void for_each_self_intersection(const Mesh& mesh, Work& work,
+                                const std::function<void(TrianglePair)>& on_pair,
+                                const std::function<void(std::size_t)>& on_done) {
   std::size_t done = 0;
   for_each_self_pair(
       mesh, {}, work,
@@ -261,7 +262,8 @@ bool self_intersects(const Mesh& mesh, Work* work) {
 bool self_intersects(const Mesh& mesh, const SelfQuerySettings& settings, Work* work) {
   return bvh::in_standard_arithmetic([&]() -> bool {
     CountedWork counted(work);
-    if (const auto answer = crosses_at_first(mesh, settings.volume, counted.work())) return *answer;
+    if (const auto answer = intersects_at_first(mesh, settings.volume, counted.work()))
+      return *answer;
     return has_any([&](auto&& on_pair) {
       for_each_self_pair(mesh, {.volume = settings.volume}, counted.work(), on_pair);
     });

@@ -86,19 +86,20 @@ class SkinsOfOne {
   bvh::FloatKDop kdop_;
 };
 
-/// Refuses a mesh that could overflow on its way into the frame of an oriented box (law 3), where
+/// Refuses a mesh that could overflow in the frame of an oriented box (law 3), where
 /// the answer would depend on what the tree prunes. The sums are in the order of into_frame(), and
 /// rounding is monotone: if these are finite, so is every intermediate result.
-void check_way_into_frame(const PlacedMeshView& placed, const FramedVolume& box) {
+void check_in_frame(const PlacedMeshView& placed, const FramedVolume& box) {
   if (box.kind != FramedVolume::Kind::Oriented) return;
-  std::array<double, 3> way = largest_coordinates(placed.pose, placed.mesh.bounds());
+  std::array<double, 3> coordinates = largest_coordinates(placed.pose, placed.mesh.bounds());
   const double* m = box.frame.data();  // column-major 4x4: column i is the frame's axis i
   for (int i = 0; i < 3; ++i)
-    way[i] += std::abs(m[12 + i]);
+    coordinates[i] += std::abs(m[12 + i]);
   for (int i = 0; i < 3; ++i) {
     const double* axis = m + 4 * i;
     const double coordinate =
-        (std::abs(axis[0]) * way[0] + std::abs(axis[1]) * way[1]) + std::abs(axis[2]) * way[2];
+        (std::abs(axis[0]) * coordinates[0] + std::abs(axis[1]) * coordinates[1]) +
+        std::abs(axis[2]) * coordinates[2];
     if (!std::isfinite(coordinate)) {
       throw PoseError(std::string("box: coordinate ") + "xyz"[i] +
                       " of the mesh in its frame could overflow");
@@ -130,7 +131,7 @@ template <typename OnTriangle>
 void for_each_triangle(const PlacedMeshView& placed, const FramedVolume& asked, Volume volume,
                        Work& work, OnTriangle&& on_triangle) {
   const double deviation = check_placement(placed.pose, placed.mesh.bounds(), "pose of the mesh");
-  check_way_into_frame(placed, asked);
+  check_in_frame(placed, asked);
   const NodeVolumes volumes = volumes_of(placed.mesh, volume, work);
   const bvh::Tree& tree = tree_of(placed.mesh);
   const bvh::LocalFrame frame = bvh::LocalFrame::around(asked.box);

@@ -101,15 +101,15 @@ void ContactWalk::open(const Visit& visit, const TimeSpan& span, const BodyBox& 
   // of boxes that meet halfway rather their parts. Measured: with twice or half of these shares a
   // nut on its bolt takes up to a half longer.
   const double share = visit.has_direction ? 1 : 4;
-  const double way = pair_.displacement(span, box_a.radius, box_b.radius);
+  const double travel = pair_.displacement(span, box_a.radius, box_b.radius);
   const double room = share * std::max(size_a, size_b);
-  const bool is_fast = way > room;
+  const bool is_fast = travel > room;
   Visit one = visit, other = visit;
   if (is_fast && !visit.cell.is_finest()) {
     one.cell = visit.cell.earlier();
     other.cell = visit.cell.later();
     if (record_ != nullptr) record_->halve_time();
-  } else if (are_both_opened(a, b, size_a, size_b) && 2 * way < room) {
+  } else if (are_both_opened(a, b, size_a, size_b) && 2 * travel < room) {
     // Of these mostly neither box alone would do; where time is halved soon it pays to wait. A
     // record has one step at a time.
     for (std::uint32_t i = 2; i-- > 0;) {

@@ -82,14 +82,14 @@ double sum_of_lengths(const RigidMotion& motion) {
          4 * std::min(std::abs(motion.angle()), 1.0) * apart;
 }
 
-void check_reach(const RigidMotion& motion) {
+void check_coordinates(const RigidMotion& motion) {
   // Where the body does not turn the arm is computed all the same.
   const double centre = sum_of_sizes(motion.centre().data());
   if (sum_of_lengths(motion) + 4 * centre < kFarFromOverflow) return;
   throw PoseError("motion: coordinates of the body's origin could overflow");
 }
 
-void check_reach(const RigidMotion& motion, const Aabb& bounds, const char* what) {
+void check_coordinates(const RigidMotion& motion, const Aabb& bounds, const char* what) {
   if (sum_of_lengths(motion) + sum_of_sizes(bounds) < kLongest) return;
   throw PoseError(std::string(what) +
                   ": coordinates of the body, or squares of them, could overflow");

@@ -26,10 +26,10 @@ const RigidContactSettings& check_settings(const RigidContactSettings& settings)
 double sum_of_lengths(const RigidMotion& motion);
 
 /// Throws PoseError if the origin could overflow.
-void check_reach(const RigidMotion& motion);
+void check_coordinates(const RigidMotion& motion);
 
 /// Throws PoseError, which begins with `what`, if a point of the body, within `bounds`, could, or a
 /// product of two coordinates.
-void check_reach(const RigidMotion& motion, const Aabb& bounds, const char* what);
+void check_coordinates(const RigidMotion& motion, const Aabb& bounds, const char* what);
 
 }  // namespace graze

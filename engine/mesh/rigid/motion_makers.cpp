@@ -95,9 +95,9 @@ RigidMotion RigidMotion::screw_between(const Pose& start, const Pose& end) {
     // The centre is as far from the middle of both origins as half a chord divided by the tangent
     // of half the angle.
     const Eigen::Vector3d from = start.translation();
-    const Eigen::Vector3d way = Eigen::Vector3d(end.translation()) - from;
-    const Eigen::Vector3d shift = turn.axis * dot(turn.axis, way);
-    const Eigen::Vector3d chord = way - shift;
+    const Eigen::Vector3d displacement = Eigen::Vector3d(end.translation()) - from;
+    const Eigen::Vector3d shift = turn.axis * dot(turn.axis, displacement);
+    const Eigen::Vector3d chord = displacement - shift;
     const SineCosine half = turn_values(turn.angle / 2).unit;
     const Eigen::Vector3d centre =
         from + (chord + cross(turn.axis, chord) * (half.cosine / half.sine)) / 2;

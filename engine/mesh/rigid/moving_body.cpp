@@ -37,7 +37,7 @@ MovingBody::MovingBody(const Mesh& of_mesh, const RigidMotion& in_motion, const 
                        Work& work)
     : mesh(of_mesh),
       motion(in_motion),
-      tree((check_reach(in_motion, of_mesh.bounds(), what), tree_of(of_mesh, &work))),
+      tree((check_coordinates(in_motion, of_mesh.bounds(), what), tree_of(of_mesh, &work))),
       boxes(obb_skin_of(of_mesh, &work)),
       unit(tree.frame.unit()),
       turned(std::abs(in_motion.angle())),

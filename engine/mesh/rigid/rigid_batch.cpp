@@ -25,8 +25,9 @@ std::vector<Answer> answers_of_motions(const Mesh& mesh_b, std::span<const Rigid
                                        const BatchSettings& batch, Work* total, const Ask& ask) {
   check_threads(batch.threads);
   for (std::size_t i = 0; i < motions_b.size(); ++i) {
-    bvh::check_element("motion", i, " of mesh B",
-                       [&](const char* what) { check_reach(motions_b[i], mesh_b.bounds(), what); });
+    bvh::check_element("motion", i, " of mesh B", [&](const char* what) {
+      check_coordinates(motions_b[i], mesh_b.bounds(), what);
+    });
   }
   std::vector<Answer> answers(motions_b.size());
   answer_all(batch, total, answers,
@@ -45,8 +46,10 @@ std::vector<Answer> answers_of_pairs(std::span<const RigidPair> pairs,
     bvh::at_element("pair", i, [&] {
       const std::string of_pair = " of pair " + std::to_string(i);
       const RigidPair& pair = pairs[i];
-      check_reach(pair.motion_a, pair.mesh_a.bounds(), ("motion of mesh A" + of_pair).c_str());
-      check_reach(pair.motion_b, pair.mesh_b.bounds(), ("motion of mesh B" + of_pair).c_str());
+      check_coordinates(pair.motion_a, pair.mesh_a.bounds(),
+                        ("motion of mesh A" + of_pair).c_str());
+      check_coordinates(pair.motion_b, pair.mesh_b.bounds(),
+                        ("motion of mesh B" + of_pair).c_str());
     });
   }
   std::vector<Answer> answers(pairs.size());

@@ -19,7 +19,7 @@ RigidMotion::RigidMotion(const Pose& start, const RigidCourse& course)
     check_finite(course.shift, "shift");
     axis_ = unit_axis(course.axis);
     check_angle(course.angle);
-    check_reach(*this);
+    check_coordinates(*this);
   });
 }
 

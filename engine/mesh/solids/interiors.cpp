@@ -92,8 +92,8 @@ class InteriorQuery {
   /// Rules 1 and 2 of triangles that touch and have area.
   bool does_contact_tell(const TrianglePair& pair) {
     const Triangle a = a_.sides.triangle(pair.a), b = b_.sides.triangle(pair.b);
-    if (does_reach_in(a_, pair.a, a, b_, pair.b, b)) return true;
-    if (does_reach_in(b_, pair.b, b, a_, pair.a, a)) return true;
+    if (does_enter(a_, pair.a, a, b_, pair.b, b)) return true;
+    if (does_enter(b_, pair.b, b, a_, pair.a, a)) return true;
     if (!sides_of(a, b).are_all_zero() || !narrowphase::meets_inside(b, a)) return false;
     const bool is_a_clear = is_clear(a_, pair.a), is_b_clear = is_clear(b_, pair.b);
     if (!is_a_clear || !is_b_clear) return false;
@@ -104,8 +104,8 @@ class InteriorQuery {
 
   /// Rule 1: whether the other triangle reaches the inside of this one from its inner side. If it
   /// is not clear, it may part what is beside this one all the same, and is left open.
-  static bool does_reach_in(Solid& solid, std::uint32_t index, const Triangle& triangle,
-                            Solid& others, std::uint32_t other_index, const Triangle& other) {
+  static bool does_enter(Solid& solid, std::uint32_t index, const Triangle& triangle, Solid& others,
+                         std::uint32_t other_index, const Triangle& other) {
     const narrowphase::PlaneSides sides = sides_of(triangle, other);
     if (sides.are_all_zero() || !narrowphase::meets_inside(other, triangle)) return false;
     if (!is_clear(solid, index) || !sides.has(solid.sides.enclosed(index).side())) return false;

@@ -180,10 +180,10 @@ std::optional<VolumeCast> cast(const PlacedMeshView& mesh, const Sphere& ball,
     check_placement(mesh.pose, mesh.mesh.bounds(), "pose of the mesh");
     narrowphase::check_displacement(displacement);
     const contacts::SweepUnits units(mesh, ball);
-    const SweptWay way(displacement, units);
-    contacts::CastDirections directions({mesh}, ball, units, way.direction);
+    const SweepLine line(displacement, units);
+    contacts::CastDirections directions({mesh}, ball, units, line.direction);
     BallMover mover(ball, displacement, settings.start, directions, counted.work());
-    VolumeWalk<BallMover>({mesh}, directions, way, mover, counted.work()).run();
+    VolumeWalk<BallMover>({mesh}, directions, line, mover, counted.work()).run();
     return mover.result();
   });
 }

@@ -88,7 +88,7 @@ void EarliestMeeting::take(const Found& found, double limit) {
 std::optional<MeshCast> EarliestMeeting::result() const {
   if (!found_) return std::nullopt;
   const TranslatedPair pair = translated(found_->a, found_->b);
-  MeshCast cast{0, true, found_->pair, MeetingFeatures::Crossing, 0, 0, {0, 0, 0}, {}};
+  MeshCast cast{0, true, found_->pair, MeetingFeatures::AtStart, 0, 0, {0, 0, 0}, {}};
   if (!found_->first) {
     cast.normal = normal_at_start(pair);
     return cast;

@@ -7,7 +7,7 @@
 #include <graze/engine/mesh/query/wide_query.h>
 #include <graze/engine/mesh/sweep/cast_planes.h>
 #include <graze/engine/mesh/sweep/earliest_meeting.h>
-#include <graze/engine/mesh/sweep/swept_way.h>
+#include <graze/engine/mesh/sweep/sweep_line.h>
 #include <graze/narrowphase/motion/path_checks.h>
 #include <graze/narrowphase/translation/displacement.h>
 #include <graze/narrowphase/triangle_intersection.h>
@@ -37,16 +37,16 @@ void ask_start(const WideQuery& query, EarliestMeeting& earliest, Work& work) {
 /// times decide exactly and then indices.
 class CastWalk {
  public:
-  CastWalk(const WideQuery& query, const contacts::SweepUnits& units, const SweptWay& way,
+  CastWalk(const WideQuery& query, const contacts::SweepUnits& units, const SweepLine& line,
            StartContact start, EarliestMeeting& earliest, Work& work)
       : query_(query),
         may_touch_(start == StartContact::IsLeft),
-        way_(way),
+        line_(line),
         earliest_(earliest),
         work_(work),
-        limit_(way.at(earliest.limit())),
-        planes_({{query.a}, units}, {{query.b}, units}, units, way.direction) {
-    const Eigen::Vector3d direction = Eigen::Map<const Eigen::Vector3d>(way.direction);
+        limit_(line.at(earliest.limit())),
+        planes_({{query.a}, units}, {{query.b}, units}, units, line.direction) {
+    const Eigen::Vector3d direction = Eigen::Map<const Eigen::Vector3d>(line.direction);
     const double common = std::max(query.tree_a.frame().unit(), query.tree_b.frame().unit());
     per_unit_ = direction.norm() * (units.metres / common);
     set_in_a(direction, direction_);
@@ -112,7 +112,7 @@ class CastWalk {
     ++work_.triangle_tests;
     if (may_touch_ && places.bound <= 0 && do_meet(a.triangle, b.triangle)) return false;
     if (!earliest_.ask_later(pair, a.triangle, b.triangle)) return false;
-    limit_ = way_.at(earliest_.limit());
+    limit_ = line_.at(earliest_.limit());
     return true;
   }
 
@@ -142,7 +142,7 @@ class CastWalk {
 
   const WideQuery& query_;
   bool may_touch_;
-  const SweptWay& way_;
+  const SweepLine& line_;
   EarliestMeeting& earliest_;
   Work& work_;
   double limit_;
@@ -164,11 +164,11 @@ std::optional<MeshCast> cast(const PlacedMeshView& mesh_a, const PlacedMeshView&
     const WideQuery query(mesh_a, mesh_b, counted.work());
     narrowphase::check_displacement(displacement);
     const contacts::SweepUnits units(mesh_a, mesh_b);
-    const SweptWay way(displacement, units);
+    const SweepLine line(displacement, units);
     EarliestMeeting earliest(displacement.data(), settings.start);
     ask_start(query, earliest, counted.work());
-    if (!earliest.is_at_start() && way.is_any())
-      CastWalk(query, units, way, settings.start, earliest, counted.work()).run();
+    if (!earliest.is_at_start() && line.is_any())
+      CastWalk(query, units, line, settings.start, earliest, counted.work()).run();
     std::optional<MeshCast> met = earliest.result();
     if (met && met->is_at_start) {
       met->point = intersection(query.triangle_a(met->pair), query.triangle_b(met->pair)).corner[0];

@@ -36,20 +36,21 @@ double quarter_of_largest(const Sphere& ball) {
   return largest + 0.25 * ball.radius;
 }
 
-/// Likewise of each coordinate on the way into a frame: the sums are in the order of law 3, and
+/// Likewise of each coordinate that is taken into a frame: the sums are in the order of law 3, and
 /// rounding is monotone.
 double quarter_of_largest(const PlacedMeshView& placed, const Pose& frame) {
   const double* m = frame.data();  // column-major 4x4: column i is the frame's axis i
-  std::array<double, 3> way = largest_coordinates(placed.pose, placed.mesh.bounds());
+  std::array<double, 3> coordinates = largest_coordinates(placed.pose, placed.mesh.bounds());
   double largest = 0;
   for (int k = 0; k < 3; ++k) {
-    way[k] = 0.25 * way[k] + 0.25 * std::abs(m[12 + k]);
-    largest = std::max(largest, way[k]);
+    coordinates[k] = 0.25 * coordinates[k] + 0.25 * std::abs(m[12 + k]);
+    largest = std::max(largest, coordinates[k]);
   }
   for (int i = 0; i < 3; ++i) {
     const double* axis = m + 4 * i;
     const double coordinate =
-        (std::abs(axis[0]) * way[0] + std::abs(axis[1]) * way[1]) + std::abs(axis[2]) * way[2];
+        (std::abs(axis[0]) * coordinates[0] + std::abs(axis[1]) * coordinates[1]) +
+        std::abs(axis[2]) * coordinates[2];
     largest = std::max(largest, coordinate);
   }
   return largest;

@@ -132,11 +132,11 @@ Eigen::Vector3d common_point(const Triangle& triangle, const Aabb& box) {
 std::optional<VolumeCast> cast_box(const contacts::FramedMesh& mesh, const Aabb& box,
                                    const Eigen::Vector3d& displacement,
                                    const contacts::SweepUnits& units, Work& work) {
-  const SweptWay way(displacement, units);
+  const SweepLine line(displacement, units);
   EarliestMeeting earliest(displacement.data(), StartContact::Counts);
-  contacts::CastDirections directions(mesh, box, units, way.direction);
+  contacts::CastDirections directions(mesh, box, units, line.direction);
   BoxMover mover(box, directions, earliest, work);
-  VolumeWalk<BoxMover>(mesh, directions, way, mover, work).run();
+  VolumeWalk<BoxMover>(mesh, directions, line, mover, work).run();
   const std::optional<MeshCast> met = earliest.result();
   if (!met) return std::nullopt;
   VolumeCast result{met->time, met->is_at_start, met->pair.a, met->point, met->normal};

@@ -3,7 +3,7 @@
 #include <graze/bvh/traverse/traverse_nearest.h>
 #include <graze/engine/mesh/data/mesh_trees.h>
 #include <graze/engine/mesh/sweep/cast_nodes.h>
-#include <graze/engine/mesh/sweep/swept_way.h>
+#include <graze/engine/mesh/sweep/sweep_line.h>
 #include <graze/engine/work.h>
 
 #include <limits>
@@ -33,13 +33,13 @@ template <typename Mover>
 class VolumeWalk {
  public:
   VolumeWalk(const contacts::FramedMesh& mesh, contacts::CastDirections& directions,
-             const SweptWay& way, Mover& mover, Work& work)
+             const SweepLine& line, Mover& mover, Work& work)
       : tree_(tree_of(mesh.placed.mesh, &work)),
         directions_(directions),
-        way_(way),
+        line_(line),
         mover_(mover),
         work_(work),
-        limit_(way.at(mover.limit())),
+        limit_(line.at(mover.limit())),
         nodes_(mesh, tree_, directions, work) {}
 
   void run() {
@@ -71,14 +71,14 @@ class VolumeWalk {
                       {bound, limit_}))
         continue;
       is_sooner = true;
-      limit_ = way_.at(mover_.limit());
+      limit_ = line_.at(mover_.limit());
     }
     if (is_sooner && mover_.turn(directions_)) nodes_.take_normal();
   }
 
   const bvh::Tree& tree_;
   contacts::CastDirections& directions_;
-  const SweptWay& way_;
+  const SweepLine& line_;
   Mover& mover_;
   Work& work_;
   double limit_;

@@ -19,7 +19,7 @@ class MeshFirstContact(NamedTuple):
     pair: Tuple[int, int]
     """Triangles that have what meets."""
     features: str
-    """vertex-face, face-vertex, edge-edge, or crossing for triangles that go through each other at t = 0."""
+    """vertex-face, face-vertex, edge-edge, or at-start for triangles that meet as they are at t = 0."""
     places: Tuple[int, int]
     """The corners of both triangles, 0 to 2; of an edge the one that it leaves, of a face 0."""
 

@@ -41,10 +41,10 @@ BodyId RecordingReader::Data::live(std::uint64_t index, const ByteReader& from) 
 }
 
 std::uint32_t RecordingReader::Data::next_index(ByteReader& from) {
-  const std::int64_t way = from.difference();
-  if (way < -last_body || way > static_cast<std::int64_t>(kMostIndex) - last_body)
+  const std::int64_t difference = from.difference();
+  if (difference < -last_body || difference > static_cast<std::int64_t>(kMostIndex) - last_body)
     from.fail("a body's index is none");
-  last_body += way;
+  last_body += difference;
   return static_cast<std::uint32_t>(last_body);
 }
 

@@ -25,11 +25,12 @@ RigidMotion part_motion(const RigidMotion& body, const Pose& start) {
 
 /// No point that is at most `radius` from the body's origin is ever farther from where it was at
 /// the start, metres.
-double longest_way(const RigidMotion& motion, double radius) {
+double longest_travel(const RigidMotion& motion, double radius) {
   const double farthest = length_of(motion.start().translation() - motion.centre()) + radius;
-  const double way = length_of(motion.shift()) + std::min(std::abs(motion.angle()), 2.0) * farthest;
+  const double travel =
+      length_of(motion.shift()) + std::min(std::abs(motion.angle()), 2.0) * farthest;
   // What poses deviate from rotations and places are rounded by, at most (MovingShape::kStretch).
-  return way * (1 + 0x1p-16) + 0x1p-16 * (motion.angle() == 0 ? 0 : farthest) +
+  return travel * (1 + 0x1p-16) + 0x1p-16 * (motion.angle() == 0 ? 0 : farthest) +
          0x1p-40 * (farthest + length_of(motion.centre()));
 }
 
@@ -56,8 +57,8 @@ std::vector<PartOnWay> parts_on_way(const BodyOnWay& body, const Aabb& box) {
       parts.push_back({{&body.shape, start, swept, nullptr, 0}, body.motion, swept});
     return parts;
   }
-  const double way = longest_way(body.motion, whole->bounding_radius());
-  for (PlacedPart& part : whole->near(start, grown(box, way), 0)) {
+  const double travel = longest_travel(body.motion, whole->bounding_radius());
+  for (PlacedPart& part : whole->near(start, grown(box, travel), 0)) {
     const RigidMotion motion = part_motion(body.motion, part.pose);
     const Aabb swept = swept_box(*part.shape, motion);
     if (share_a_point(swept, box)) parts.push_back({part, motion, swept});

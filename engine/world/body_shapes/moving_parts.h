@@ -11,7 +11,7 @@
 
 namespace graze {
 
-/// A body's shape and its way.
+/// A body's shape and its motion.
 struct BodyOnWay {
   const BodyShape& shape;
   const RigidMotion& motion;

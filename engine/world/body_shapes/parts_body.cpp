@@ -66,7 +66,7 @@ Eigen::Vector3d placed_point(const Pose& pose, const Eigen::Vector3d& p) {
   return at;
 }
 
-/// A box around the box of the world in the frame of the pose, by way of a point of that frame.
+/// A box around the box of the world in the frame of the pose, about a point of that frame.
 Aabb taken_back(const Pose& pose, const Eigen::Vector3d& about, const Aabb& box) {
   const double* m = pose.data();
   const Eigen::Vector3d away = box.min / 2 + box.max / 2 - placed_point(pose, about);
@@ -184,9 +184,10 @@ void PartsBody::look_at_nearest(const std::optional<Aabb>& own_box, const GapToP
 /// The part of a ray from where it comes near the body, in the body's frame, and how much
 /// of it lies before that; nothing if that is not known well enough to look parts up.
 std::optional<Ray> PartsBody::own_ray(const Pose& pose, const Ray& ray, double& skipped) const {
-  const Eigen::Vector3d way = placed_point(pose, middle_) - ray.origin;
+  const Eigen::Vector3d offset = placed_point(pose, middle_) - ray.origin;
   if (!(largest_of(pose.translation()) <= kFarthestShare * extent_ &&
-        largest_of(way) <= kFarthestRay * extent_ && rotation_deviation(pose) <= kSmallDeviation)) {
+        largest_of(offset) <= kFarthestRay * extent_ &&
+        rotation_deviation(pose) <= kSmallDeviation)) {
     return std::nullopt;
   }
   // Scaled first, as squares could overflow.
@@ -194,9 +195,9 @@ std::optional<Ray> PartsBody::own_ray(const Pose& pose, const Ray& ray, double& 
   const Eigen::Vector3d unit =
       scaled /
       std::sqrt((scaled.x() * scaled.x() + scaled.y() * scaled.y()) + scaled.z() * scaled.z());
-  const double along = (way.x() * unit.x() + way.y() * unit.y()) + way.z() * unit.z();
+  const double along = (offset.x() * unit.x() + offset.y() * unit.y()) + offset.z() * unit.z();
   skipped = std::max(along - 1.125 * extent_, 0.0);
-  return Ray{middle_ + turned_back(pose, skipped * unit - way), turned_back(pose, unit),
+  return Ray{middle_ + turned_back(pose, skipped * unit - offset), turned_back(pose, unit),
              std::max(ray.max_distance - skipped, 0.0) + index_room()};
 }
 

@@ -52,13 +52,13 @@ Core segment(const Vec3& from, const Vec3& to) {
 // A point of a shape beside its deepest one: from this number on.
 constexpr std::uint64_t kBesideFeature = 0x30010;
 
-/// A number for where on a core a point is, by cells of an eighth of its reach.
+/// A number for where on a core a point is, by cells of an eighth of its radius.
 std::uint64_t place_on(const Core& core, const Vec3& point) {
   // Points of what is symmetric are not near where one cell ends.
   constexpr double kCells = 8, kAside = 8.37;
   constexpr int kBits = 5;
-  const double reach = core.bounding_radius + core.radius;
-  const Vec3 own = into_own(core, point - core.at) * (kCells / reach);
+  const double radius = core.bounding_radius + core.radius;
+  const Vec3 own = into_own(core, point - core.at) * (kCells / radius);
   std::uint64_t place = 0;
   for (const double along : {own.x, own.y, own.z})
     place = place << kBits | static_cast<std::uint64_t>(std::max(along + kAside, 0.0));
@@ -88,7 +88,7 @@ void add_point(const Vec3& on_mesh, const Parting& parting, std::vector<ContactP
 }  // namespace
 
 /// Of the shape's face and a triangle. Depths are what lies between the points, which over faces
-/// that are only nearly at right angles to the way may be more than the way leaves.
+/// that are only nearly at right angles to the exit may be more than the exit clears.
 void TriangleCandidates::add_over_face(const TouchedTriangle& face, const Parting& parting) {
   candidates_.found.clear();
   add_face_contact_points(bare(), face.triangle, bare(parting).penetration, candidates_.found,
@@ -103,7 +103,7 @@ void TriangleCandidates::add_over_face(const TouchedTriangle& face, const Partin
 }
 
 /// Where an edge or a corner says how to part, as at the rim of a table that a body leans on,
-/// faces that are nearly at right angles to that way have contacts, too.
+/// faces that are nearly at right angles to that exit have contacts, too.
 void TriangleCandidates::add_near_faces(const TouchedTriangle& member) {
   const Parting parting = parting_of(member);
   candidates_.found.clear();
@@ -251,7 +251,7 @@ bool TriangleCandidates::add_before(const Vec3& on_mesh, const Vec3& normal) {
 
 /// Where the deepest point lies beyond what is touched, as in a valley: the point of the triangle
 /// next to it, or to the shape's middle, or one that the two share, and where the shape ends behind
-/// it along the way out. So the normal stays that of the way, whatever is deep.
+/// it along the way out. So the normal stays that of the exit, whatever is deep.
 void TriangleCandidates::add_beside(const TouchedTriangle& member) {
   const Parting parting = parting_of(member);
   const Vec3& out = parting.penetration.normal;

@@ -36,7 +36,7 @@ void Clearance::add(const Exit& exit) {
   }
 }
 
-/// The shortest translation that satisfies the ways up to c, c with equality.
+/// The shortest translation that satisfies the exits up to c, c with equality.
 std::optional<Vec3> Clearance::on_plane(std::size_t c) const {
   Vec3 x = exits_[c].direction * exits_[c].depth;
   for (std::size_t i = 0; i < c; ++i) {

@@ -13,18 +13,18 @@ namespace graze {
 /// Ways out that a body takes together.
 class Clearance {
  public:
-  /// Lengths below `tolerance`, metres, do not matter; every way is exceeded by as much.
+  /// Lengths below `tolerance`, metres, do not matter; every exit is exceeded by as much.
   void start(double tolerance);
 
-  /// Takes another way. Where no translation satisfies it with those before, as between two walls
+  /// Takes another exit. Where no translation satisfies it with those before, as between two walls
   /// that are too near to each other, or one of more than kMostTimes the depth, the translation
-  /// stays. O(n) for ways that come in no particular order, O(n^3) at worst.
+  /// stays. O(n) for exits that come in no particular order, O(n^3) at worst.
   void add(const narrowphase::Exit& exit);
 
-  /// The translation of least length that goes along each way by its depth.
+  /// The translation of least length that goes along each exit by its depth.
   const narrowphase::Vec3& translation() const { return translation_; }
 
-  /// Whether the translation goes along that way by more than its depth. What only touches is not
+  /// Whether the translation goes along that exit by more than its depth. What only touches is not
   /// left by a translation across.
   bool satisfies(const narrowphase::Exit& exit) const {
     return dot(translation_, exit.direction) >= exit.depth + 0.5 * tolerance_;

@@ -16,7 +16,7 @@ namespace graze {
 struct TouchedTriangle {
   LocalParting parting;
   narrowphase::Core triangle;
-  double rank;                  ///< metres: ways are taken in this order, faces before edges
+  double rank;                  ///< metres: exits are taken in this order, faces before edges
   std::uint32_t direction = 0;  ///< number of the direction of the way out
   std::uint32_t region = 0;
 };

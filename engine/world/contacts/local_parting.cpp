@@ -13,10 +13,10 @@ using narrowphase::Vec3;
 
 namespace {
 
-// Of ways that are as long to this share the one of the larger feature is taken.
+// Of exits that are as long to this share the one of the larger feature is taken.
 constexpr double kSameDepth = 1e-9;
 
-// A way is surely too long if bounds say so by so many times what makes ways as long.
+// An exit is surely too long if bounds say so by so many times what makes exits as long.
 constexpr double kSureTimes = 4;
 
 }  // namespace
@@ -43,7 +43,7 @@ std::optional<LocalParting> LocalPartings::below(double limit, std::uint32_t ind
                                                  const Vec3& deepest) const {
   LocalParting least{index, {normal, dot(normal, triangle.corner[0] - deepest) + core_.radius}};
   // With t the depth, r how far within an edge the deepest point is and p the angle of a direction
-  // to the normal, the way along it is at least t cos(p) + r sin(p): no less than t up to 127
+  // to the normal, the exit along it is at least t cos(p) + r sin(p): no less than t up to 127
   // degrees if r is 2 t. Corners lie beyond two edges.
   const double face_depth = least.exit.depth;
   const double enough = 2 * face_depth;
@@ -62,7 +62,7 @@ std::optional<LocalParting> LocalPartings::below(double limit, std::uint32_t ind
     if (least.feature != LeftFeature::Face) return depth;
     return settings_.margin + settings_.face_share * (depth - settings_.margin);
   };
-  // Whether a way of that depth is taken rather than the best so far.
+  // Whether an exit of that depth is taken rather than the best so far.
   bool is_close = false;
   const auto beats = [&](double depth) {
     if (depth < shorter() - same) return true;

@@ -17,16 +17,15 @@ enum class LeftFeature : std::uint8_t { Face, Edge, Corner };
 /// triangle's features faces.
 struct LocalParting {
   std::uint32_t triangle;
-  narrowphase::Exit exit;  ///< the way that the body moves, away from the mesh
+  narrowphase::Exit exit;  ///< of the body, away from the mesh
   LeftFeature feature = LeftFeature::Face;
   int which = 0;  ///< of an edge its first corner; of a corner itself
-  /// Whether an edge or a corner may have lost to the face by its share alone: else the way is the
+  /// Whether an edge or a corner may have lost to the face by its share alone: else the exit is the
   /// same with a share of 1.
   bool is_close = false;
 };
 
-/// A face is nearly at right angles to a way out within 8 degrees: then it has contacts along that
-/// way.
+/// A face is nearly at right angles to a way out within 8 degrees: then it has contacts along it.
 inline constexpr double kNearlyFacing = 0.99;
 
 /// Of a body that lies on a mesh an edge or a corner is left instead of a face only where that is
@@ -34,7 +33,7 @@ inline constexpr double kNearlyFacing = 0.99;
 /// would be a second way out beside theirs. Law 15's depths are to a twentieth.
 inline constexpr double kFaceShare = 0.96;
 
-/// How the way off a triangle is chosen.
+/// How the exit off a triangle is chosen.
 struct PartingSettings {
   /// An edge or a corner is left instead of the face where that is shorter than this share of it.
   double face_share = 1;

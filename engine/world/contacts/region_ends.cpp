@@ -51,7 +51,7 @@ Ends ends_about(std::size_t k, std::span<const MetPoints> met, const RegionFrame
   constexpr double kCosine = 0.95, kSine = 0.31;
   // How deep a point is does not tell how far out it is.
   const auto across = [&](const Vec3& along) {
-    return along - region.way * dot(along, region.way);
+    return along - region.exit * dot(along, region.exit);
   };
   const Vec3 s = axis_of(region.pose_a, k + 1), t = axis_of(region.pose_a, k + 2);
   const Vec3 u = across(s * kCosine + t * kSine);
@@ -88,15 +88,15 @@ std::size_t deepest_of(std::span<const MetPoints> met, double size) {
 
 void add_ends(std::span<const MetPoints> met, const RegionFrame& region,
               std::vector<narrowphase::ContactPoint>& contacts) {
-  const std::uint64_t side_a = side_of(region.pose_a, -region.way);
-  const std::uint64_t side_b = side_of(region.pose_b, -region.way);
+  const std::uint64_t side_a = side_of(region.pose_a, -region.exit);
+  const std::uint64_t side_b = side_of(region.pose_b, -region.exit);
   Ends ends = ends_about(side_a / 2, met, region);
   take_deepest(ends, met, region);
   for (auto own = ends.begin(); own != ends.end(); ++own) {
     if (std::find(ends.begin(), own, *own) != own) continue;
     contacts.push_back({.point_a = met[*own].a,
                         .point_b = met[*own].b,
-                        .normal = -region.way,
+                        .normal = -region.exit,
                         .depth = met[*own].depth,
                         .feature_a = side_a << 3 | static_cast<std::uint64_t>(own - ends.begin()),
                         .feature_b = side_b});

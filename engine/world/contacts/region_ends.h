@@ -25,9 +25,9 @@ inline constexpr double kSameMetDepth = 1e-9;
 struct RegionFrame {
   const Pose& pose_a;
   const Pose& pose_b;
-  narrowphase::Vec3 way;  ///< unit, in which A leaves
-  double size;            ///< metres, of the region
-  double margin = 0;      ///< metres, that all depths have in them
+  narrowphase::Vec3 exit;  ///< unit, in which A leaves
+  double size;             ///< metres, of the region
+  double margin = 0;       ///< metres, that all depths have in them
 };
 
 /// The number of the deepest of the points, of which there is one at least; the first of those that

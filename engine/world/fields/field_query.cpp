@@ -95,15 +95,17 @@ void FieldQuery::grow_aside(double room) {
   inner_.max += aside;
 }
 
-void FieldQuery::move(const Pose& pose, const Vector3d& way) {
+void FieldQuery::move(const Pose& pose, const Vector3d& displacement) {
   for (int k = 0; k < 3; ++k)
-    way_.data()[k] = along(pose, k, way);
-  const Vector3d each = Vector3d::Constant((16 * rotation_deviation(pose) + 0x1p-40) * sum(way));
+    displacement_.data()[k] = along(pose, k, displacement);
+  const Vector3d each =
+      Vector3d::Constant((16 * rotation_deviation(pose) + 0x1p-40) * sum(displacement));
   box_.min -= each;
   box_.max += each;
   offset_ +=
-      each.x() +
-      std::max(-(normal_.x() * way_.x() + normal_.y() * way_.y() + normal_.z() * way_.z()), 0.0);
+      each.x() + std::max(-(normal_.x() * displacement_.x() + normal_.y() * displacement_.y() +
+                            normal_.z() * displacement_.z()),
+                          0.0);
 }
 
 /// Of its lowest corner.
@@ -115,23 +117,23 @@ double FieldQuery::height_above(const Aabb& box) const {
   return low;
 }
 
-// A box that goes meets another if its corner's way enters the other, grown by its sides.
+// A box that goes meets another if its corner's path enters the other, grown by its sides.
 bool FieldQuery::meets(const Aabb& box) const {
   if (is_plane_) return !(height_above(box) > 0);
   double enter = 0, exit = 1;
   for (int k = 0; k < 3; ++k) {
     const double low = box.min.data()[k] - box_.max.data()[k];
     const double high = box.max.data()[k] - box_.min.data()[k];
-    const double way = way_.data()[k];
-    if (low > std::max(way, 0.0) || high < std::min(way, 0.0)) return false;
-    // Products and quotients are off by 2^-50 of numbers below 1; where the way is so short that
-    // they overflow its ends have decided.
-    if (!(std::abs(way) > 0x1p-900)) continue;
-    const double at_low = low / way, at_high = high / way;
+    const double component = displacement_.data()[k];
+    if (low > std::max(component, 0.0) || high < std::min(component, 0.0)) return false;
+    // Products and quotients are off by 2^-50 of numbers below 1; where the component is so short
+    // that they overflow its ends have decided.
+    if (!(std::abs(component) > 0x1p-900)) continue;
+    const double at_low = low / component, at_high = high / component;
     enter = std::max(enter, std::min(at_low, at_high));
     exit = std::min(exit, std::max(at_low, at_high));
   }
-  const bool goes = way_.x() != 0 || way_.y() != 0 || way_.z() != 0;
+  const bool goes = displacement_.x() != 0 || displacement_.y() != 0 || displacement_.z() != 0;
   if (!goes && room_ > 0 && gap_to(box) > room_) return false;
   return enter <= exit + 0x1p-40;
 }
@@ -166,7 +168,7 @@ void cut(double low, double high, double spacing, std::uint32_t& first, std::uin
 CellRect FieldQuery::columns_of_cells(const HeightFieldData& field) const {
   CellRect cells = field.cells();
   if (is_plane_) return cells;
-  const double x = way_.x(), y = way_.y();
+  const double x = displacement_.x(), y = displacement_.y();
   cut(box_.min.x() + std::min(x, 0.0), box_.max.x() + std::max(x, 0.0), field.spacing_x,
       cells.first_column, cells.last_column);
   cut(box_.min.y() + std::min(y, 0.0), box_.max.y() + std::max(y, 0.0), field.spacing_y,

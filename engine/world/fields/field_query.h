@@ -24,7 +24,7 @@ class FieldQuery {
   /// So far aside, for all heights that are as far away.
   void grow_aside(double room);
   /// The box goes, metres in the world; relative to the field.
-  void move(const Pose& pose, const Eigen::Vector3d& way);
+  void move(const Pose& pose, const Eigen::Vector3d& displacement);
 
   /// Whether it may come to what is in a box of the field's frame.
   bool meets(const Aabb& box) const;
@@ -42,7 +42,7 @@ class FieldQuery {
   Aabb box_{};       ///< with all room
   Aabb inner_{};     ///< without that of grow(),
   double room_ = 0;  ///< which is so much, in all directions: corners of the box are farther
-  Eigen::Vector3d way_ = Eigen::Vector3d::Zero();
+  Eigen::Vector3d displacement_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d normal_ = Eigen::Vector3d::Zero();  ///< of a half-space
   double offset_ = 0;
   double pad_ = 0;

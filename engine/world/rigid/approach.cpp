@@ -11,7 +11,7 @@ namespace {
 constexpr double kLeastTolerance = 0x1p-28;
 
 /// How far turning moves a point of the shape, metres, at most, where the other one can be.
-double turning_way_of(const MovingShape& moving, const MovingShape& other) {
+double turning_travel_of(const MovingShape& moving, const MovingShape& other) {
   if (!moving.is_half_space() || moving.turned == 0) return moving.turned * moving.turning_radius;
   const double apart = length_of(moving.motion.centre() - other.motion.centre());
   const double shifts = length_of(moving.motion.shift()) + length_of(other.motion.shift());
@@ -22,14 +22,15 @@ double turning_way_of(const MovingShape& moving, const MovingShape& other) {
 
 Approach::Approach(const MovingShape& a, const MovingShape& b, const RigidContactSettings& settings)
     : shift(b.motion.shift() - a.motion.shift()),
-      turning_way(turning_way_of(a, b) + turning_way_of(b, a)),
-      way(length_of(shift) * MovingShape::kStretch + turning_way) {
+      turning_travel(turning_travel_of(a, b) + turning_travel_of(b, a)),
+      travel(length_of(shift) * MovingShape::kStretch + turning_travel) {
   const double lengths = a.lengths + b.lengths;
-  const double tolerance = std::max({settings.tolerance, kLeastTolerance * lengths, 0x1p-44 * way});
+  const double tolerance =
+      std::max({settings.tolerance, kLeastTolerance * lengths, 0x1p-44 * travel});
   limit = settings.clearance + tolerance;
-  // Poses are rounded: what turns by many times is off by 2^-51 of its way.
-  rounding = 0x1p-40 * lengths + 0x1p-50 * way;
-  grid = TimeGrid::for_steps(way, tolerance / 4);
+  // Poses are rounded: what turns by many times is off by 2^-51 of its travel.
+  rounding = 0x1p-40 * lengths + 0x1p-50 * travel;
+  grid = TimeGrid::for_steps(travel, tolerance / 4);
 }
 
 Approach Approach::mirrored() const {

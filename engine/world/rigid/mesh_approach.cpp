@@ -146,7 +146,7 @@ double MeshApproach::depth_behind(const Triangle& triangle, double t,
   return dot(narrowphase::rounded_support(core, behind), behind);
 }
 
-// Between 0 and 1 a point is beside the chord of its way by at most the sagitta, of a turn by an
+// Between 0 and 1 a point is beside the chord of its path by at most the sagitta, of a turn by an
 // angle r (1 - cos(angle/2)), which is at most r angle^2 / 8, and 2 r at any angle.
 bool MeshApproach::slides_along(std::uint32_t triangle) const {
   const Triangle placed = narrowphase::place(mesh_.motion.start(), triangles_.triangle(triangle));

@@ -37,13 +37,13 @@ MovingShape::MovingShape(const Shape& of_shape, const RigidMotion& in_motion, co
       turned(std::abs(in_motion.angle())),
       lengths(sum_of_lengths(in_motion)) {
   if (is_endless()) {
-    check_reach(motion, {{0, 0, 0}, {0, 0, 0}}, what);
+    check_coordinates(motion, {{0, 0, 0}, {0, 0, 0}}, what);
     lengths += offset_of(shape);
     return;
   }
   const Pose& start = motion.start();
   const Aabb bounds = bounding_aabb({shape, start});
-  check_reach(motion, bounds, what);
+  check_coordinates(motion, bounds, what);
   const Eigen::Vector3d middle = bounds.min / 2 + bounds.max / 2;
   const double apart = length_of(middle - motion.centre());
   const Eigen::Vector3d half = bounds.max / 2 - bounds.min / 2;

@@ -11,7 +11,7 @@ namespace {
 
 // More than the tolerances and the rounding of motions and casts: shares of all lengths.
 constexpr double kMotionRoom = 0x1p-26;
-constexpr double kWayRoom = 0x1p-42;
+constexpr double kTurnRoom = 0x1p-42;
 
 double sum_of(const Eigen::Vector3d& v) {
   return (std::abs(v.x()) + std::abs(v.y())) + std::abs(v.z());
@@ -34,7 +34,7 @@ StandIn moving_stand_in(const MovingShape& field, const MovingShape& other,
   FieldQuery query(data, motion.start(), swept_bounds(other));
   double room = settings.clearance + settings.tolerance +
                 kMotionRoom * (field.lengths + other.lengths + settings.clearance) +
-                kWayRoom * (field.turned * field.radius + other.turned * other.radius);
+                kTurnRoom * (field.turned * field.radius + other.turned * other.radius);
   if (field.turned > 0) {
     room += std::min(field.turned, 2.0) * field.radius + length_of(motion.shift());
   } else {
@@ -47,15 +47,15 @@ StandIn moving_stand_in(const MovingShape& field, const MovingShape& other,
 }
 
 StandIn cast_stand_in(const PlacedShapeView& field, const PlacedShapeView& other,
-                      const Eigen::Vector3d& way) {
+                      const Eigen::Vector3d& displacement) {
   const auto* as_field = field.shape.as<HeightField>();
   if (as_field == nullptr) return StandIn(field, other, {});
   const HeightFieldData& data = HeightFieldAccess::data(*as_field);
   FieldQuery query(data, field.pose, other);
-  query.move(field.pose, way);
+  query.move(field.pose, displacement);
   const Aabb own = bounding_aabb(field), box = bounding_aabb(other);
-  query.grow(kMotionRoom *
-             (sum_of(own.min) + sum_of(own.max) + sum_of(box.min) + sum_of(box.max) + sum_of(way)));
+  query.grow(kMotionRoom * (sum_of(own.min) + sum_of(own.max) + sum_of(box.min) + sum_of(box.max) +
+                            sum_of(displacement)));
   return StandIn(field, query, {.is_kept = keeps_patches(other)});
 }
 

@@ -8,14 +8,14 @@
 
 namespace graze {
 
-/// For all that a shape may come near to on its way, as near as the settings ask for, and cells so
-/// far aside as FieldNeed has it. Beside a half-space all cells. Throws as MovingShape does.
+/// For all that a shape may come near to in its motion, as near as the settings ask for, and cells
+/// so far aside as FieldNeed has it. Beside a half-space all cells. Throws as MovingShape does.
 StandIn moving_stand_in(const MovingShape& field, const MovingShape& other,
                         const RigidContactSettings& settings, double aside);
 
 /// For a cast of the other by a displacement, metres, relative to the field, from 0 to a time: all
 /// that is not met later.
 StandIn cast_stand_in(const PlacedShapeView& field, const PlacedShapeView& other,
-                      const Eigen::Vector3d& way);
+                      const Eigen::Vector3d& displacement);
 
 }  // namespace graze

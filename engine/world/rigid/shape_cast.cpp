@@ -82,9 +82,9 @@ std::optional<ShapeCast> cast_at_mesh(const PlacedMeshView& mesh, const PlacedSh
 std::optional<ShapeCast> cast_beside_plane(const PlacedShapeView& a, const PlacedShapeView& b,
                                            const Eigen::Vector3d& displacement, Work& work) {
   const ShapeDistance found = distance(a, b, &work);
-  const Vec3 normal = to_vec3(found.normal), way = to_vec3(displacement);
-  const double size = length(way);
-  const double rate = 0x1p-48 * size - dot(normal, way);
+  const Vec3 normal = to_vec3(found.normal), shift = to_vec3(displacement);
+  const double size = length(shift);
+  const double rate = 0x1p-48 * size - dot(normal, shift);
   const double gap = found.lower_bound * (1 - 0x1p-50);
   if (!(gap < rate)) return std::nullopt;
   return ShapeCast{gap / rate * (1 - 0x1p-50), false, found.point_a, found.normal};
@@ -111,11 +111,11 @@ class CoreToMesh {
              const Eigen::Vector3d& displacement, Work& work)
       : origin_(middle_of(shape.shape, shape.pose)),
         core_(core_of(shape.shape, shape.pose, origin_)),
-        way_(to_vec3(displacement)),
+        displacement_(to_vec3(displacement)),
         work_(work),
         descent_(mesh, core_, origin_, work),
         sweep_(descent_, mesh, displacement, room(mesh, displacement)),
-        swept_(core_, way_, room(mesh, displacement)) {}
+        swept_(core_, displacement_, room(mesh, displacement)) {}
 
   std::optional<ShapeCast> first() {
     bvh::traverse_nearest(descent_.tree(), *this, [&](const bvh::Node& leaf) {
@@ -155,7 +155,7 @@ class CoreToMesh {
     const Core triangle = descent_.triangle(index);
     const double until = best_ ? std::min(times.last, best_->time) : times.last;
     if (swept_.is_surely_passed(triangle, until)) return;
-    const auto met = first_meeting({triangle, core_, way_}, {times.first, until}, work_);
+    const auto met = first_meeting({triangle, core_, displacement_}, {times.first, until}, work_);
     if (!met || (best_ && met->time >= best_->time)) return;
     best_ = met;
     swept_.take_normal(met->normal);
@@ -163,7 +163,7 @@ class CoreToMesh {
 
   Eigen::Vector3d origin_;
   Core core_;
-  Vec3 way_;
+  Vec3 displacement_;
   Work& work_;
   MeshDescent descent_;
   TreeSweep sweep_;
@@ -202,7 +202,7 @@ bool goes_second(const PlacedShapeView& a, const PlacedShapeView& b) {
   return is_swapped(a, b);
 }
 
-void check_reach(const PlacedShapeView& shape, const Eigen::Vector3d& displacement) {
+void check_coordinates(const PlacedShapeView& shape, const Eigen::Vector3d& displacement) {
   for (int k = 0; k < 3; ++k) {
     const double end = shape.pose.data()[12 + k] + displacement.data()[k];
     if (std::abs(end) <= kLargestLength) continue;
@@ -217,7 +217,7 @@ std::optional<ShapeCast> cast_checked(const PlacedShapeView& a, const PlacedShap
   return swapped(cast_in_order(b, a, opposite(displacement), work), displacement);
 }
 
-/// How many times as long each next part of a way is that is looked at, and what of a displacement
+/// How many times as long each next part of a path is that is looked at, and what of a displacement
 /// the first one is: as long as the other is wide, and then some cells.
 constexpr double kNextPart = 4;
 constexpr double kCellsAtFirst = 32;
@@ -233,11 +233,11 @@ double first_part(const PlacedShapeView& a, const PlacedShapeView& b,
       length = std::max(length, kCellsAtFirst * spacing);
     }
   }
-  const double way = size_of(displacement);
-  return way > length ? length / way : 1;
+  const double travel = size_of(displacement);
+  return travel > length ? length / travel : 1;
 }
 
-/// Of which one is a height field, or both: part by part of the way, as what is met in one hides
+/// Of which one is a height field, or both: part by part of the path, as what is met in one hides
 /// what is farther.
 std::optional<ShapeCast> cast_of_field(const PlacedShapeView& a, const PlacedShapeView& b,
                                        const Eigen::Vector3d& displacement, Work& work) {
@@ -257,8 +257,8 @@ std::optional<ShapeCast> cast_of_field(const PlacedShapeView& a, const PlacedSha
   if (is_plane(b)) return cast_checked(distance_to(a, b).view(), b, displacement, work);
   for (double until = first_part(a, b, displacement);; until *= kNextPart) {
     until = std::min(until, 1.0);
-    const Eigen::Vector3d way = displacement * until;
-    const StandIn of_a = cast_stand_in(a, b, way), of_b = cast_stand_in(b, a, opposite(way));
+    const Eigen::Vector3d shift = displacement * until;
+    const StandIn of_a = cast_stand_in(a, b, shift), of_b = cast_stand_in(b, a, opposite(shift));
     auto met = cast_checked(of_a.view(), of_b.view(), displacement, work);
     if (until == 1 || (met && met->time < until)) return met;
   }
@@ -282,7 +282,7 @@ std::optional<ShapeCast> cast(const PlacedShapeView& shape_a, const PlacedShapeV
   return bvh::in_standard_arithmetic([&]() -> std::optional<ShapeCast> {
     check_poses(shape_a.pose, shape_b.pose);
     narrowphase::check_displacement(displacement);
-    check_reach(shape_b, displacement);
+    check_coordinates(shape_b, displacement);
     CountedWork counted(work);
     if (has_plane(shape_a, shape_b))
       return cast_of_plane(shape_a, shape_b, displacement, counted.work());

@@ -25,23 +25,23 @@ constexpr double kTimeRounding = 1 - 0x1p-50;
 }  // namespace
 
 double StraightPair::scale() const {
-  return pair_scale(still, moving) + length(way);
+  return pair_scale(still, moving) + length(displacement);
 }
 
 std::optional<StraightMeeting> first_meeting(const StraightPair& pair, const TimeStretch& stretch,
                                              Work& work) {
-  const double scale = pair.scale(), way = length(pair.way);
+  const double scale = pair.scale(), travel = length(pair.displacement);
   Core moved = pair.moving;
   StraightMeeting last{stretch.from, {}, {0, 0, 1}};
   for (int step = 0;; ++step) {
-    moved.at = pair.moving.at + pair.way * last.time;
+    moved.at = pair.moving.at + pair.displacement * last.time;
     const SetGap gap = gap_of_sets(pair.still, moved);
     ++work.convex_tests;
     if (gap.is_apart || step == 0) last.normal = gap.normal;
     last.point = gap.point_a;
     const double left = gap.lower - kGapRounding * scale;
     // The gap closes by no more than this in all of time.
-    const double rate = kRateRounding * way - dot(last.normal, pair.way);
+    const double rate = kRateRounding * travel - dot(last.normal, pair.displacement);
     if (left > 0 && !(left * kTimeRounding < rate * (stretch.until - last.time)))
       return std::nullopt;
     const bool is_open = step == kMostSteps;

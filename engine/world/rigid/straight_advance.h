@@ -16,12 +16,12 @@ struct StraightMeeting {
   narrowphase::Vec3 normal;  ///< unit, from that to the other one
 };
 
-/// Two convex sets of which the second one moves by t `way` while t goes from 0 to 1; it must be no
-/// triangle. All in metres.
+/// Two convex sets of which the second one moves by t `displacement` while t goes from 0 to 1; it
+/// must be no triangle. All in metres.
 struct StraightPair {
   const narrowphase::Core& still;
   const narrowphase::Core& moving;  ///< where it is at t = 0
-  narrowphase::Vec3 way;
+  narrowphase::Vec3 displacement;
 
   /// What times and distances are measured by.
   double scale() const;

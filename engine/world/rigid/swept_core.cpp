@@ -21,9 +21,9 @@ LowHigh of_triangle(const Core& triangle, const Vec3& direction) {
 
 }  // namespace
 
-SweptCore::SweptCore(const Core& core, const Vec3& way, double room)
-    : core_(core), way_(way), room_(room) {
-  const Vec3 along = unit_or(way, {0, 0, 1});
+SweptCore::SweptCore(const Core& core, const Vec3& displacement, double room)
+    : core_(core), displacement_(displacement), room_(room) {
+  const Vec3 along = unit_or(displacement, {0, 0, 1});
   const Vec3 first = any_normal_to(along), second = cross(along, first);
   across_[0] = first, across_[1] = second;
   across_[2] = unit_or(first + second, first), across_[3] = unit_or(first - second, first);
@@ -46,7 +46,7 @@ SweptCore::Extent SweptCore::extent_along(const Vec3& unit) const {
 bool SweptCore::is_passed_along(const Vec3& unit, const Extent& own, const Core& triangle,
                                 double until) const {
   const LowHigh other = of_triangle(triangle, unit);
-  const double moved = until * dot(way_, unit);
+  const double moved = until * dot(displacement_, unit);
   return std::min(own.low, own.low + moved) > other.high ||
          std::max(own.high, own.high + moved) < other.low;
 }

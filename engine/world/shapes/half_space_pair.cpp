@@ -152,7 +152,7 @@ void HalfSpacePair::choose_beside_mesh(Side& plane, Side& other, const Shape& fr
 
 namespace {
 
-/// Where the way from one point to the other crosses the plane, or is nearest to it.
+/// Where the segment from one point to the other crosses the plane, or is nearest to it.
 Vec3 crossing(const Vec3& low, const Vec3& high, const PlacedHalfSpace& plane) {
   const double below = dot(plane.normal, low) - plane.offset;
   const double above = dot(plane.normal, high) - plane.offset;

@@ -98,7 +98,7 @@ struct NumbersOf {
   }
 };
 
-/// The point that far from A's core on the way to B's.
+/// The point that far from A's core towards B's.
 Vec3 between(const CoreGap& gap, double distance) {
   if (!(gap.upper > 0)) return gap.point_a;
   return gap.point_a + (gap.point_b - gap.point_a) * (distance / gap.upper);

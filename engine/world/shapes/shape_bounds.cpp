@@ -31,7 +31,7 @@ constexpr double kDistanceShare = 0x100p-53;
 
 // The shape as law 3 reads it, or a ray, is the set of all p with R^T (p - t) in its own frame: off
 // from R x + t by R^-T (I - R^T R) x, below 1.74 dev of the sum of the coordinates of x, and that
-// sum is below 1.74 of the reach; a radius is read likewise.
+// sum is below 1.74 of the bounding radius; a radius is read likewise.
 constexpr double kReadings = 4;
 
 void give_room(Aabb& box, int i, double room) {

@@ -158,8 +158,8 @@ std::optional<Vec3> on_nearest_edge(const ContactFace& face, const Vec3& point,
     if (!(dot(offset, out) < -slack * length(out))) is_within = false;
     const double square = dot(edge, edge);
     const double share = square > 0 ? std::clamp(dot(offset, edge) / square, 0.0, 1.0) : 0;
-    const Vec3 way = edge * share - offset;
-    if (dot(way, way) < least) least = dot(way, way), nearest = corner + whole_edge * share;
+    const Vec3 apart = edge * share - offset;
+    if (dot(apart, apart) < least) least = dot(apart, apart), nearest = corner + whole_edge * share;
   }
   return is_within ? std::nullopt : std::optional(nearest);
 }

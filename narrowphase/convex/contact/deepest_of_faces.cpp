@@ -61,8 +61,8 @@ class Disc {
     centre_ = of.core.at + of.core.axis[2] * out + normal_ * of.core.radius;
   }
 
-  Flat seen(const Vec3& way) const {
-    const Vec3 within = way - along_ * dot(normal_, way);
+  Flat seen(const Vec3& offset) const {
+    const Vec3 within = offset - along_ * dot(normal_, offset);
     return Flat{dot(within, axis_u_), dot(within, axis_v_)} * (1 / radius_);
   }
   Flat place_of(const Vec3& point) const { return seen(point - centre_); }
@@ -112,12 +112,12 @@ std::optional<Flat> farthest_in_polygon(std::span<const Flat> corners, const Fla
   Farthest farthest(direction);
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const Flat& from = corners[i];
-    const Flat way = corners[i + 1 == corners.size() ? 0 : i + 1] - from;
-    const double length = std::sqrt(dot(way, way));
+    const Flat offset = corners[i + 1 == corners.size() ? 0 : i + 1] - from;
+    const double length = std::sqrt(dot(offset, offset));
     if (!(length > 0)) continue;
     // By where its line is nearest to the middle: of corners that are a million radii away the
     // roots of a square equation would be off by all of the disc.
-    const Flat along = way * (1 / length), aside = across(along);
+    const Flat along = offset * (1 / length), aside = across(along);
     const Flat nearest = aside * dot(from, aside);
     const double inner = 1 - dot(nearest, nearest);
     if (!(inner >= 0)) continue;
@@ -135,8 +135,10 @@ struct Ellipse {
   Flat centre, u, v;
 
   double area() const { return cross(u, v); }
-  /// A way from its centre as it is in its own plane, in units of its radius.
-  Flat own(const Flat& way) const { return Flat{cross(way, v), cross(u, way)} * (1 / area()); }
+  /// An offset from its centre as it is in its own plane, in units of its radius.
+  Flat own(const Flat& offset) const {
+    return Flat{cross(offset, v), cross(u, offset)} * (1 / area());
+  }
   bool has(const Flat& place) const {
     const Flat at = own(place - centre);
     return dot(at, at) <= 1 + kOnRim;
@@ -280,9 +282,9 @@ std::optional<MeetingPoints> deepest_of_polygons(const ContactFace& a, const Con
     const Vec3 &from = b.corner[i], &to = b.corner[i + 1 == b.count ? 0 : i + 1];
     const Within within(sides, from, to);
     if (!(within.first <= within.last)) continue;
-    const Vec3 way = to - from;
-    const double share = dot(way, slope) > 0 ? within.last : within.first;
-    const Vec3 place = from + way * share;
+    const Vec3 offset = to - from;
+    const double share = dot(offset, slope) > 0 ? within.last : within.first;
+    const Vec3 place = from + offset * share;
     const double far = dot(place, slope);
     if (!best || far > most) best = place, most = far;
   }

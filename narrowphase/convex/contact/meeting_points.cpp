@@ -154,8 +154,8 @@ MeetingPoints by_clearance(const Core& a, const Core& b, const Penetration& pene
   return met;
 }
 
-/// How far the way from B's point to A's is from the penetration.
-double off_the_way(const MeetingPoints& met, const Penetration& penetration) {
+/// How far the vector from B's point to A's is from the penetration.
+double off_penetration(const MeetingPoints& met, const Penetration& penetration) {
   return length(met.on_a - met.on_b - penetration.normal * penetration.depth);
 }
 
@@ -178,12 +178,12 @@ void put_on_surface(const Core& core, bool is_a, const Vec3& normal, double scal
 // a farthest corner is beside it. Then the best of the farthest points of both is taken.
 MeetingPoints meeting_points(const Core& a, const Core& b, const Penetration& penetration) {
   MeetingPoints met = by_clearance(a, b, penetration);
-  double off = off_the_way(met, penetration);
+  double off = off_penetration(met, penetration);
   const bool is_a_first = is_smaller(a, b);
   for (const bool is_of_a : {is_a_first, !is_a_first}) {
     if (off <= kMostAside * smaller_size(a, b)) break;
     const MeetingPoints other = of_farthest(a, b, is_of_a, penetration.normal, met);
-    const double its = off_the_way(other, penetration);
+    const double its = off_penetration(other, penetration);
     if (its < off) met = other, off = its;
   }
   if (kFarLarger * pair_scale(a, b) > smaller_size(a, b))
@@ -203,15 +203,15 @@ std::optional<MeetingPoints> ends_on_line(const Core& a, const Core& b, const Ve
   return best;
 }
 
-// Corners of one plane are off it by 24 u of the reach, as hull_ray.cpp adds up, which is less than
-// kBeyondRounding of it.
+// Corners of one plane are off it by 24 u of the bounding radius, as hull_ray.cpp adds up, which is
+// less than kBeyondRounding of it.
 bool is_uneven(const FaceOf& of) {
   return of.face.unevenness > kBeyondRounding * of.core.bounding_radius;
 }
 
-// A line through an edge of the polygon may miss the hull by rounding: kBeyondRounding of the reach
-// towards the middle of the face it does not, and the surface is as near there as at the edge but
-// for eight times that, as no facet of the face leans by more than 8 degrees.
+// A line through an edge of the polygon may miss the hull by rounding: kBeyondRounding of the
+// bounding radius towards the middle of the face it does not, and the surface is as near there as
+// at the edge but for eight times that, as no facet of the face leans by more than 8 degrees.
 std::optional<Vec3> onto_surface(const FaceOf& of, const Vec3& point, const Vec3& out) {
   if (!is_uneven(of)) return point;
   const Core& core = of.core;

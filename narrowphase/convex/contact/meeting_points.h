@@ -35,7 +35,7 @@ bool lie_along(const Penetration& penetration, double tolerance);
 /// share of the smaller size.
 inline constexpr double kClearance = 0x1p-20;
 
-/// How far aside of the penetration the way between them may be, as a share of it: see above.
+/// How far aside of the penetration the vector between them may be, as a share of it: see above.
 inline constexpr double kMostAside = 0x1p-17;
 
 /// A face that takes part in a contact, and whose it is.

@@ -18,7 +18,7 @@ constexpr double kWellKnown = 0x1p-10;
 // A face next to a normal is one that leans by 8 degrees at most.
 constexpr double kNextFace = 0.99;
 
-// Witnesses of two boxes are so near to the way between them, as a share of the scale.
+// Witnesses of two boxes are so near to the segment between them, as a share of the scale.
 constexpr double kTouchingBoxes = 0x1p-34;
 
 /// Replaces the normal by that of a face next to it, if that costs no depth beyond what is allowed:

@@ -39,8 +39,8 @@ constexpr double kNear = 0x1p-8;
 // A point is on the plane of a face to this share of the size.
 constexpr double kOnFace = 0x1p-36;
 
-// So many ways are tried before a contact jumps: mostly the first is on the surfaces.
-constexpr int kMostWays = 8;
+// So many moves are tried before a contact jumps: mostly the first is on the surfaces.
+constexpr int kMostMoves = 8;
 
 bool is_goal(const ContactPoint& contact) {
   return contact.feature_a == kDeepestOfFace;
@@ -187,24 +187,24 @@ std::size_t first_so_deep(const Offered& contacts, double depth) {
   return at;
 }
 
-/// A way from a kept contact to where another is deep enough.
-struct Way {
+/// A move of a kept contact to where another is deep enough.
+struct Move {
   std::size_t from;
   std::size_t to;
-  double share;   ///< of the way to the other contact
+  double share;   ///< of the segment to the other contact
   double square;  ///< of its length
 };
 
-/// What ways may lead to.
+/// What moves may lead to.
 struct Goals {
   double depth;   ///< so deep, metres
   double within;  ///< points are along the normal to so much
 };
 
 /// The shortest one that is longer than that.
-std::optional<Way> next_way(const Offered& contacts, std::size_t kept, const Goals& goals,
-                            double longer) {
-  std::optional<Way> best;
+std::optional<Move> next_move(const Offered& contacts, std::size_t kept, const Goals& goals,
+                              double longer) {
+  std::optional<Move> best;
   for (std::size_t i = 0; i < kept; ++i) {
     for (std::size_t j = kept; j < contacts.size(); ++j) {
       if (contacts[j].depth < goals.depth || is_aside(contacts[j], goals.within)) continue;
@@ -212,20 +212,20 @@ std::optional<Way> next_way(const Offered& contacts, std::size_t kept, const Goa
           (goals.depth - contacts[i].depth) / (contacts[j].depth - contacts[i].depth);
       const double square = share * share * contacts.square_between(i, j);
       if (square > longer && (!best || square * (1 + kSame) < best->square))
-        best = Way{i, j, share, square};
+        best = Move{i, j, share, square};
     }
   }
   return best;
 }
 
-bool follow(const Way& way, const ContactSurfaces& surfaces, const Offered& contacts) {
-  const ContactPoint& goal = contacts[way.to];
-  ContactPoint moved = contacts[way.from];
-  moved.point_a = moved.point_a + (goal.point_a - moved.point_a) * way.share;
-  moved.point_b = moved.point_b + (goal.point_b - moved.point_b) * way.share;
-  moved.depth += (goal.depth - moved.depth) * way.share;
+bool follow(const Move& move, const ContactSurfaces& surfaces, const Offered& contacts) {
+  const ContactPoint& goal = contacts[move.to];
+  ContactPoint moved = contacts[move.from];
+  moved.point_a = moved.point_a + (goal.point_a - moved.point_a) * move.share;
+  moved.point_b = moved.point_b + (goal.point_b - moved.point_b) * move.share;
+  moved.depth += (goal.depth - moved.depth) * move.share;
   if (!surfaces.hold(moved)) return false;
-  contacts[way.from] = moved;
+  contacts[move.from] = moved;
   return true;
 }
 
@@ -247,11 +247,11 @@ void deepen(const Offered& contacts, std::size_t kept, const Extent& extent,
                  extent.deepest - within);
     if (has(depth)) return;
     double longer = -1;
-    for (int i = 0; i < kMostWays; ++i) {
-      const std::optional<Way> way = next_way(contacts, kept, {depth, within}, longer);
-      if (!way) break;
-      if (follow(*way, *reduction.surfaces, contacts)) return;
-      longer = way->square;
+    for (int i = 0; i < kMostMoves; ++i) {
+      const std::optional<Move> move = next_move(contacts, kept, {depth, within}, longer);
+      if (!move) break;
+      if (follow(*move, *reduction.surfaces, contacts)) return;
+      longer = move->square;
     }
   }
   const std::size_t at = first_so_deep(contacts, extent.deepest);

@@ -58,7 +58,7 @@ struct Reduction {
 /// Puts contacts that stand for all of a region in front, the deepest first, and says how many.
 /// Where all are nearly level those that are far from each other are left, by their places alone:
 /// ties of distances, to 1e-4, go to the lower features. If then none is as deep as
-/// least_of_deepest() says, the one of these that has the shortest way moves towards a deeper one
+/// least_of_deepest() says, the one of these that has the shortest move moves towards a deeper one
 /// until it is, and keeps its features. So what lies and trembles has the same contacts from step
 /// to step, and none of them jumps. Where the surfaces do not hold it in between it takes the place
 /// of the deepest. Where nobody knows them it does so, too, but only where it lacks 1e-5 of the

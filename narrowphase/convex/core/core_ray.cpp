@@ -145,14 +145,14 @@ Line moved(const Line& line, const Vec3& by) {
   return {line.origin - by, line.direction};
 }
 
-/// What a normal has along `way` is taken from it if it looks that way: where the line grazes a
-/// side rounding may turn the normal so. False if that is most of it, which then is rounding
+/// What a normal has along `direction` is taken from it if it looks along it: where the line grazes
+/// a side rounding may turn the normal so. False if that is most of it, which then is rounding
 /// itself.
-bool turn_against(const Vec3& way, Vec3& normal) {
-  const double along = dot(normal, way);
+bool turn_against(const Vec3& direction, Vec3& normal) {
+  const double along = dot(normal, direction);
   if (!(along > 0)) return largest(normal) > 0;
   const double before = dot(normal, normal);
-  normal = normal - way * (along / dot(way, way));
+  normal = normal - direction * (along / dot(direction, direction));
   return dot(normal, normal) > 0.5 * before;
 }
 

@@ -89,11 +89,11 @@ bool BoxAxes::may_hide_gap(double sine) const {
   double least = std::numeric_limits<double>::infinity();
   for (int i = 0; i < 3; ++i)
     least = std::min(least, std::min(overlap_a_[i], overlap_b_[i]));
-  const double reach = 2 * (margin_ / kSure);
+  const double unsure = 2 * (margin_ / kSure);
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) {
       if (square_[i][j] >= sine * sine) continue;
-      if (!(least > reach * std::sqrt(square_[i][j]))) return true;
+      if (!(least > unsure * std::sqrt(square_[i][j]))) return true;
     }
   }
   return false;

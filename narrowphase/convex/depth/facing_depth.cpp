@@ -250,12 +250,12 @@ std::optional<Exit> CornerExits::next_part() {
 
 std::optional<Exit> CornerExits::of_rounded() {
   ++part_;
-  const Vec3 reach = core_.axis[2] * (core_.kind == CoreKind::Segment ? core_.half.z : 0);
-  const Vec3 nearest = nearest_on_segment(core_.at - reach, core_.at + reach, corner_);
+  const Vec3 half_axis = core_.axis[2] * (core_.kind == CoreKind::Segment ? core_.half.z : 0);
+  const Vec3 nearest = nearest_on_segment(core_.at - half_axis, core_.at + half_axis, corner_);
   Vec3 away = corner_ - nearest;
   if (core_.kind == CoreKind::Segment) {
-    // Of a corner on the segment this is rounding, and no way through the surface unless it leads
-    // across the segment, or out beyond an end.
+    // Of a corner on the segment this is rounding, and no passage through the surface unless it
+    // leads across the segment, or out beyond an end.
     const double beyond = own_.z >= core_.half.z ? 1 : own_.z <= -core_.half.z ? -1 : 0;
     const Vec3 axis = unit_or(core_.axis[2], {0, 0, 1});
     for (int i = 0; i < 2 && !(beyond * dot(away, axis) > 0); ++i)

@@ -13,7 +13,7 @@ namespace graze::narrowphase {
 
 /// Moving a set by `depth` along `direction` takes it off a feature.
 struct Exit {
-  Vec3 direction;    ///< unit, the way in which the set moves
+  Vec3 direction;    ///< unit, in which the set moves
   double depth = 0;  ///< metres
 };
 

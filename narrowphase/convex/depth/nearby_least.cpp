@@ -25,9 +25,9 @@ constexpr double kMeeting = 0x1p-36;
 
 /// A line on a core's surface from end to end: an edge, or one on a round side.
 struct Ridge {
-  Vec3 from, way;
-  Vec3 unit() const { return unit_or(way, {}); }
-  explicit operator bool() const { return largest(way) > 0; }
+  Vec3 from, direction;
+  Vec3 unit() const { return unit_or(direction, {}); }
+  explicit operator bool() const { return largest(direction) > 0; }
 };
 
 Vec3 across_axis(const Core& core, const Vec3& out) {
@@ -60,8 +60,8 @@ Ridge ridge_near(const Core& core, const Vec3& out, const Vec3& aside) {
 /// direction: at its rim, if it has one.
 double bend(const Core& core, const Vec3& out, const Vec3& s, const Vec3& t) {
   if (core.kind == CoreKind::Ellipsoid) {
-    const auto stretched = [&](const Vec3& way) {
-      const Vec3 own = into_own(core, way);
+    const auto stretched = [&](const Vec3& direction) {
+      const Vec3 own = into_own(core, direction);
       return Vec3{core.half.x * own.x, core.half.y * own.y, core.half.z * own.z};
     };
     const Vec3 p = stretched(out), of_s = stretched(s), of_t = stretched(t);
@@ -76,7 +76,7 @@ double bend(const Core& core, const Vec3& out, const Vec3& s, const Vec3& t) {
 
 /// The same where the core is farthest in one point.
 double bend_of_end(const Core& core, const Vec3& out, const Vec3& s, const Vec3& t) {
-  if (core.kind == CoreKind::Cone && dot(side_line(core, out).way, out) < 0) return 0;
+  if (core.kind == CoreKind::Cone && dot(side_line(core, out).direction, out) < 0) return 0;
   return bend(core, out, s, t);
 }
 
@@ -134,10 +134,10 @@ class NearbyLeast {
     const Vec3 line_a = of_a.unit(), line_b = of_b.unit(), between = of_b.from - of_a.from;
     const Vec3 both = cross(line_a, line_b);
     const double square = dot(both, both);
-    const double share_a = dot(cross(between, line_b), both) / square / length(of_a.way);
-    const double share_b = dot(cross(between, line_a), both) / square / length(of_b.way);
+    const double share_a = dot(cross(between, line_b), both) / square / length(of_a.direction);
+    const double share_b = dot(cross(between, line_a), both) / square / length(of_b.direction);
     if (!is_share(share_a) || !is_share(share_b)) return;
-    meet_at(of_a.from + of_a.way * share_a, of_b.from + of_b.way * share_b);
+    meet_at(of_a.from + of_a.direction * share_a, of_b.from + of_b.direction * share_b);
   }
 
   static bool is_share(double share) { return share >= 0 && share <= 1; }
@@ -172,13 +172,13 @@ class NearbyLeast {
     ridge = turned_to(core, ridge, normal * sign);
     const double share = share_of(is_a ? found.point_b : found.point_a, ridge);
     if (!is_share(share)) return;
-    const Vec3 on_ridge = ridge.from + ridge.way * share;
+    const Vec3 on_ridge = ridge.from + ridge.direction * share;
     is_a ? meet_at(on_ridge, found.point_b) : meet_at(found.point_a, on_ridge);
   }
 
-  /// Of the way along a line, where it is nearest to a point.
+  /// The share of a line where it is nearest to a point.
   static double share_of(const Vec3& point, const Ridge& ridge) {
-    return dot(point - ridge.from, ridge.way) / dot(ridge.way, ridge.way);
+    return dot(point - ridge.from, ridge.direction) / dot(ridge.direction, ridge.direction);
   }
 
   /// Where both are farthest in one point.

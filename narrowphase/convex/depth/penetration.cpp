@@ -15,7 +15,7 @@ namespace graze::narrowphase {
 namespace {
 
 // When a depth is refined: the tangent of the first tilt and that below which no more is gained,
-// how many ways are tried with each, and how often.
+// how many directions are tried with each, and how often.
 constexpr double kMostTilt = 0x1p-2;
 constexpr double kLeastTilt = 0x1p-14;
 constexpr int kTiltsOfRound = 8;
@@ -102,9 +102,9 @@ class EdgeDirections {
 /// What parts two sets where no polytope closes: of many directions the few shortest ways out, each
 /// tilted to all sides, by half as much whenever no tilt makes it shorter. What is not proved to be
 /// the least need not be far from it.
-class ShortestWays {
+class ShortestExits {
  public:
-  ShortestWays(const Core& a, const Core& b) : a_(a), b_(b) {}
+  ShortestExits(const Core& a, const Core& b) : a_(a), b_(b) {}
 
   void offer(const Vec3& unit_direction, PenetrationSource source) {
     Penetration offered = along(a_, b_, unit_direction);
@@ -226,12 +226,12 @@ Penetration penetration(const Core& a, const Core& b) {
     if (has_bends(a) || has_bends(b)) turn_to_nearby_least(a, b, result);
     return result;
   }
-  ShortestWays ways(a, b);
-  ways.offer_fixed();
-  if (largest(found.normal) > 0) ways.offer(found.normal, PenetrationSource::Polytope);
+  ShortestExits exits(a, b);
+  exits.offer_fixed();
+  if (largest(found.normal) > 0) exits.offer(found.normal, PenetrationSource::Polytope);
   if (const std::optional<Vec3> direction = ask_ccd(a, b))
-    ways.offer(*direction, PenetrationSource::Ccd);
-  Penetration result = ways.least();
+    exits.offer(*direction, PenetrationSource::Ccd);
+  Penetration result = exits.least();
   result.lower = found.lower;
   // The polytope may be torn and its best plane still be good enough.
   result.is_open = !(result.depth - found.lower <= tolerance);

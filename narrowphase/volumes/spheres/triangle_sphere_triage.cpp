@@ -194,25 +194,25 @@ MovedBall moved(const Sphere& sphere, const Eigen::Vector3d& d, double until) {
   MovedBall later{sphere, 0};
   double largest = 0, longest = 0;
   for (int k = 0; k < 3; ++k) {
-    const double way = until * d.data()[k];
-    later.at.centre.data()[k] = sphere.centre.data()[k] + way;
+    const double shift = until * d.data()[k];
+    later.at.centre.data()[k] = sphere.centre.data()[k] + shift;
     largest = std::max(largest, std::abs(sphere.centre.data()[k]));
-    longest = std::max(longest, std::abs(way));
+    longest = std::max(longest, std::abs(shift));
   }
   later.room = kCentreBound * (largest + longest) + kCentreUnderflow;
   return later;
 }
 
-/// Roughly, as seen from where the way, up to a time, is nearest to the point of these weights.
+/// Roughly, as seen from where the path, up to a time, is nearest to the point of these weights.
 Centred passing_by(const double* weight, const Centred& at_start, const Eigen::Vector3d& d,
                    double until) {
   const double total = (weight[0] + weight[1]) + weight[2];
   double along = 0, square = 0;
   for (int k = 0; k < 3; ++k) {
-    const double way = d.data()[k];
+    const double shift = d.data()[k];
     for (int i = 0; i < 3; ++i)
-      along += weight[i] * at_start.corner[i][k] * way;
-    square += way * way;
+      along += weight[i] * at_start.corner[i][k] * shift;
+    square += shift * shift;
   }
   const double time = std::clamp(along / (total * square), 0.0, until);
   Centred passing = at_start;
@@ -243,7 +243,7 @@ Verdict triage(const Triangle& triangle, const Sphere& sphere) {
 
 // The hull of two balls is apart from what a plane separates from both. Where the nearest points at
 // neither end give such a plane, the ball passes the triangle in between: going from a point of the
-// triangle to the nearest of the way, and back, leads to where.
+// triangle to the nearest of the path, and back, leads to where.
 bool is_surely_passed(const Triangle& triangle, const Sphere& sphere, const Eigen::Vector3d& d,
                       double until) {
   constexpr int kSteps = 4;

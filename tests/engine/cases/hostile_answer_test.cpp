@@ -161,6 +161,11 @@ TEST(HostileAnswer, SettingsOfOtherQueries) {
   EXPECT_EQ(refused({.question = "separation", .settings = R"({"direction": [0,0,1]})"}), "");
   EXPECT_EQ(refused({.question = "self_pairs", .b = "", .settings = R"({"kind": "neighbour"})"}),
             "");
+  for (const char* kind : {"intersecting", "crossing"})  // the word of cases that are kept
+    EXPECT_EQ(refused({.question = "self_pairs",
+                       .b = "",
+                       .settings = R"({"kind": ")" + std::string(kind) + R"("})"}),
+              "");
   EXPECT_EQ(refused({.question = "contacts", .settings = R"({"touch": "exclude"})"}),
             "c:1: /settings/touch: such a query has no choice but \"include\"");
   EXPECT_EQ(refused({.question = "any", .b = kBox, .settings = R"({"touch": "exclude"})"}),

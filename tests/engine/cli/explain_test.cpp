@@ -65,9 +65,9 @@ TEST_F(CliExplain, AMissHasTheAxisOfThePairThatCameClosest) {
 TEST_F(CliExplain, TheBoxesThatAreApartHoldThePair) {
   int below_the_roots = 0;
   const Mesh grain = tests::make_box({0.02, 0.02, 0.02});
-  for (const Eigen::Vector3d& way : {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(0.3, 0.2, 0),
-                                     Eigen::Vector3d(0.2, -0.4, 0.1), Eigen::Vector3d(3, 0, 0)}) {
-    pose_.translation() = way;
+  for (const Eigen::Vector3d& shift : {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(0.3, 0.2, 0),
+                                       Eigen::Vector3d(0.2, -0.4, 0.1), Eigen::Vector3d(3, 0, 0)}) {
+    pose_.translation() = shift;
     const Explanation miss = explain({torus_}, {grain, pose_});
     ASSERT_TRUE(miss.boxes);
     const BoxAxis& axis = miss.boxes->axis;
@@ -146,8 +146,8 @@ TEST(CliExplainCase, RecordedAnswersAreGoneThrough) {
   for (const char* name : {"fcl-rock-14.json", "fcl-gear-15.json", "fcl-link-28.json"}) {
     const CaseExplanation e = explain_case(read_case(regression(name)));
     EXPECT_EQ(e.judgement.verdict, compare::Verdict::Wrong) << name;
-    ASSERT_EQ(e.ways.size(), 6u) << name;
-    EXPECT_EQ(e.ways[0].placed_touch, e.says == "no") << "law 1's own placing is the truth";
+    ASSERT_EQ(e.variants.size(), 6u) << name;
+    EXPECT_EQ(e.variants[0].placed_touch, e.says == "no") << "law 1's own placing is the truth";
     EXPECT_FALSE(e.why.empty());
   }
 }
@@ -159,9 +159,9 @@ TEST(CliExplainCase, ALostSignIsNamed) {
   const Triangle b{{0.25, 0.25, 1 + 0x1p-40}, {0.25, 0.5, 2}, {0.5, 0.25, 2}};
   const CaseExplanation e = explain_case(two_triangles(a, b, true));
   EXPECT_EQ(e.judgement.verdict, compare::Verdict::Wrong);
-  EXPECT_FALSE(e.ways[0].placed_touch);
-  EXPECT_FALSE(e.ways[0].axes.says);
-  EXPECT_TRUE(e.ways[3].placed_touch) << "as floats they do touch";
+  EXPECT_FALSE(e.variants[0].placed_touch);
+  EXPECT_FALSE(e.variants[0].axes.says);
+  EXPECT_TRUE(e.variants[3].placed_touch) << "as floats they do touch";
   EXPECT_NE(e.why.find("Placing does it"), e.why.npos) << e.why;
   EXPECT_NE(e.why.find("float"), e.why.npos);
   EXPECT_NE(to_json(e).find("\"verdict\":\"wrong\""), std::string::npos);
@@ -191,7 +191,7 @@ TEST(CliExplainCase, ARightAnswerIsRightAndAnAbsurdOneIsNobodysRounding) {
   EXPECT_EQ(explain_case(two_triangles(a, b, false)).why, "The answer is right.");
   const CaseExplanation e = explain_case(two_triangles(a, b, true));
   EXPECT_NE(e.why.find("None of these textbook tests"), e.why.npos) << e.why;
-  EXPECT_FALSE(e.pair.has_value() && e.ways.empty());
+  EXPECT_FALSE(e.pair.has_value() && e.variants.empty());
 }
 
 /// Steps of each test beside rational numbers: what both decide exactly is what the referee says,
@@ -236,9 +236,9 @@ TEST(CliExplainCase, BlamedStepsHaveWrongSigns) {
     query.answered_by = {"mine", ""};
     const CaseExplanation e = explain_case(query);
     ASSERT_EQ(e.judgement.verdict, compare::Verdict::Wrong) << name;
-    for (const compare::ClassicWay& way : e.ways) {
-      for (const compare::ClassicRun* run : {&way.axes, &way.determinants}) {
-        const compare::ClassicStep* step = run->misleading(way.placed_touch);
+    for (const compare::ClassicVariant& variant : e.variants) {
+      for (const compare::ClassicRun* run : {&variant.axes, &variant.determinants}) {
+        const compare::ClassicStep* step = run->misleading(variant.placed_touch);
         if (step == nullptr) continue;
         EXPECT_NE(step->computed_sign, step->exact_sign) << name << step->name;
         ++blamed;

@@ -40,7 +40,7 @@ TEST_F(CliInfo, JsonIsOneObjectPerMesh) {
   EXPECT_EQ(box["boundary_edges"], 0);
   EXPECT_EQ(box["degenerate_triangles"], 0);
   EXPECT_EQ(box["duplicate_triangles"], 0);
-  for (const char* on_request : {"crossing_pairs", "fit", "levels", "health"})
+  for (const char* on_request : {"self_intersections", "fit", "levels", "health"})
     EXPECT_FALSE(box.contains(on_request)) << on_request;
   const Json row = Json::parse(lines[1]);
   EXPECT_EQ(row["closed"], false);
@@ -141,11 +141,11 @@ TEST_F(CliInfo, CountsWhatIsDegenerateAndDuplicate) {
   EXPECT_EQ(odd["degenerate_triangles"], 2);
 }
 
-TEST_F(CliInfo, SelfCountsCrossingPairs) {
-  EXPECT_EQ(Json::parse(graze({"info", "--json", "--self", "box.off"}).out)["crossing_pairs"], 0);
+TEST_F(CliInfo, SelfCountsIntersections) {
+  EXPECT_EQ(Json::parse(graze({"info", "--json", "--self", "box.off"}).out)["self_intersections"], 0);
   write("cross.off",
         "OFF\n6 2 0\n-1 -1 0\n1 -1 0\n0 1 0\n0 0 -1\n0 0 1\n0 -3 0\n3 0 1 2\n3 3 4 5\n");
-  EXPECT_EQ(Json::parse(graze({"info", "--json", "--self", "cross.off"}).out)["crossing_pairs"], 1);
+  EXPECT_EQ(Json::parse(graze({"info", "--json", "--self", "cross.off"}).out)["self_intersections"], 1);
 }
 
 TEST_F(CliInfo, CheckSaysWhatIsWrongAndWhere) {
@@ -178,7 +178,7 @@ TEST_F(CliInfo, CheckSaysWhatIsWrongAndWhere) {
             (Json{{{"triangle", 0}, {"triangle_count", 4}, {"depth", 0}, {"line", 10}}}));
   EXPECT_EQ(bad["self_intersections"]["first"][2],
             (Json{{"triangle", 5}, {"other", 6}, {"line", 15}}));
-  EXPECT_EQ(report["crossing_pairs"], 3);
+  EXPECT_EQ(report["self_intersections"], 3);
 
   const std::string table = graze({"info", "--check", "bad.off"}).out;
   EXPECT_NE(table.find("  health                  not healthy\n"), std::string::npos) << table;

@@ -13,7 +13,7 @@
 #include "tests/engine/histories/oracle.h"
 #include "tests/engine/histories/player.h"
 #include "tests/engine/histories/questions.h"
-#include "tests/engine/histories/ways.h"
+#include "tests/engine/histories/swept_contacts.h"
 #include "tests/engine/histories/whole.h"
 
 namespace graze::tests {

@@ -90,9 +90,9 @@ void MeshCrowd::add_actor(std::size_t index) {
 void MeshCrowd::set_out(Actor& actor) {
   const double speed = std::pow(10, random_.uniform(-5, -2));
   const Actor& other = actors_[one_of(actors_.size())];
-  const Eigen::Vector3d way = other.pose.translation() - actor.pose.translation();
+  const Eigen::Vector3d offset = other.pose.translation() - actor.pose.translation();
   actor.velocity = speed * random_.vector(-1, 1);
-  if (one_of(3) != 0 && way.norm() > 0) actor.velocity = speed * way.normalized();
+  if (one_of(3) != 0 && offset.norm() > 0) actor.velocity = speed * offset.normalized();
   actor.spin = one_of(3) == 0 ? Eigen::Vector3d(0, 0, 0)
                               : Eigen::Vector3d(30 * speed * random_.vector(-1, 1));
 }

@@ -198,7 +198,8 @@ bool Oracle::is_anyone_swept() const {
   });
 }
 
-/// What others did before the first one is swept, or when nobody is any more, is no way of theirs.
+/// What others did before the first one is swept, or when nobody is any more, is no motion of
+/// theirs.
 void Oracle::set_detection(Being& being, Detection detection) {
   if (detection == Detection::Continuous) being.before.reset();
   being.detection = detection;
@@ -238,9 +239,9 @@ Oracle::Answer Oracle::answer_of_pieces(const NamePair& pair) const {
       if (!may_meet(pair, s, t)) continue;
       answer.touches = answer.touches || intersects(placed(s), placed(t));
       if (most == 0 || answer.is_near) continue;
-      const ShapeDistance way = distance(placed(s), placed(t));
+      const ShapeDistance gap = distance(placed(s), placed(t));
       answer.is_near =
-          (way.status == PairStatus::Converged ? way.distance : way.lower_bound) <= most;
+          (gap.status == PairStatus::Converged ? gap.distance : gap.lower_bound) <= most;
     }
   }
   answer.is_near = answer.is_near || (answer.touches && most > 0);

@@ -324,7 +324,7 @@ void Player::check_update(const WorldUpdate& update, const Oracle::Lists& now) {
   sights_.pairs_at_rest += update.work.pairs_at_rest;
 }
 
-/// Of ways that bodies went since the last update.
+/// Of motions that bodies made since the last update.
 void Player::check_first_contacts(const Contestant& each, const WorldUpdate& update,
                                   const std::vector<NamedFirstContact>& truth) {
   const std::vector<NamedFirstContact> found = each.named(update.first_contacts);

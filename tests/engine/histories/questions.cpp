@@ -12,7 +12,7 @@
 #include <tuple>
 #include <vector>
 
-#include "tests/engine/histories/ways.h"
+#include "tests/engine/histories/swept_contacts.h"
 
 namespace graze::tests {
 namespace {
@@ -58,8 +58,8 @@ class Asked {
   std::size_t within(const Shape& shape, const Pose& pose, double clearance) const {
     std::vector<BodyDistance> wanted;
     for (const Known& body : bodies_) {
-      const std::optional<BodyDistance> way = nearest(body, {shape, pose});
-      if (way && way->distance.distance <= clearance) wanted.push_back(*way);
+      const std::optional<BodyDistance> gap = nearest(body, {shape, pose});
+      if (gap && gap->distance.distance <= clearance) wanted.push_back(*gap);
     }
     const std::vector<BodyDistance> found = world_.find_within({shape, pose}, clearance, settings_);
     expect(std::equal(found.begin(), found.end(), wanted.begin(), wanted.end(), are_same),
@@ -71,8 +71,8 @@ class Asked {
   std::size_t closest(const Shape& shape, const Pose& pose) const {
     std::optional<BodyDistance> wanted;
     for (const Known& body : bodies_) {
-      const std::optional<BodyDistance> way = nearest(body, {shape, pose});
-      if (way && (!wanted || way->distance.distance < wanted->distance.distance)) wanted = way;
+      const std::optional<BodyDistance> gap = nearest(body, {shape, pose});
+      if (gap && (!wanted || gap->distance.distance < wanted->distance.distance)) wanted = gap;
     }
     const std::optional<BodyDistance> found = world_.find_closest({shape, pose}, settings_);
     expect(found.has_value() == wanted.has_value(), "find_closest() differs");
@@ -132,9 +132,9 @@ class Asked {
           const PlacedShapeView placed_s = oracle_.placed(s), placed_t = oracle_.placed(t);
           const double most = wanted ? wanted->distance.distance : 0;
           if (wanted && widest_gap(bounding_aabb(placed_s), bounding_aabb(placed_t)) > most) return;
-          const ShapeDistance way = distance(placed_s, placed_t);
-          if (!wanted || way.distance < most)
-            wanted = BodyPairDistance{a.id, b.id, way, s.number, t.number};
+          const ShapeDistance gap = distance(placed_s, placed_t);
+          if (!wanted || gap.distance < most)
+            wanted = BodyPairDistance{a.id, b.id, gap, s.number, t.number};
         });
       }
     }
@@ -157,9 +157,9 @@ class Asked {
       const bool has_parts = oracle_.beings().at(body.name).parts.has_value();
       std::optional<BodyCast> first;
       for_pieces(body.name, [&](const Piece& piece) {
-        const RigidMotion own = has_parts ? way_of_part(rest, piece.pose) : rest;
+        const RigidMotion own = has_parts ? motion_of_part(rest, piece.pose) : rest;
         const auto met =
-            contact_on_way({shape, motion}, {oracle_.palette()[piece.shape], own}, contact);
+            contact_in_motion({shape, motion}, {oracle_.palette()[piece.shape], own}, contact);
         expect(met.has_value(), "a motion is refused");
         if (met->status != RigidStatus::Free && (!first || met->low < first->contact.low))
           first = BodyCast{body.id, *met, piece.number};
@@ -220,9 +220,9 @@ class Asked {
   std::optional<BodyDistance> nearest(const Known& body, const PlacedShapeView& shape) const {
     std::optional<BodyDistance> best;
     for_pieces(body.name, [&](const Piece& piece) {
-      const ShapeDistance way = distance(shape, oracle_.placed(piece));
-      if (!best || way.distance < best->distance.distance)
-        best = BodyDistance{body.id, way, piece.number};
+      const ShapeDistance gap = distance(shape, oracle_.placed(piece));
+      if (!best || gap.distance < best->distance.distance)
+        best = BodyDistance{body.id, gap, piece.number};
     });
     return best;
   }

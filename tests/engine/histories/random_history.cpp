@@ -177,14 +177,14 @@ class Author {
       question.values[0] =
           chance_.one_in(3) ? size * chance_.below(3) : size * chance_.between(0, 2);
     } else if (question.verb == Verb::AskRay) {
-      Vector3d way = there - here;
-      if (way.isZero() || chance_.one_in(3)) {
-        way = Vector3d::Unit(static_cast<int>(chance_.below(3))) * size;
-        if (chance_.one_in(2)) way = -way;
+      Vector3d displacement = there - here;
+      if (displacement.isZero() || chance_.one_in(3)) {
+        displacement = Vector3d::Unit(static_cast<int>(chance_.below(3))) * size;
+        if (chance_.one_in(2)) displacement = -displacement;
       }
       for (int k = 0; k < 3; ++k) {
         question.values[static_cast<std::size_t>(k)] = here[k];
-        question.values[static_cast<std::size_t>(k) + 3] = way[k];
+        question.values[static_cast<std::size_t>(k) + 3] = displacement[k];
       }
       question.values[6] = chance_.one_in(2) ? std::numeric_limits<double>::infinity()
                                              : size * chance_.between(0, 6);
@@ -329,13 +329,13 @@ class Author {
   bool saved_once_ = false;
 };
 
-/// Puts margins, ways and casts between the operations of a history, by numbers of their own: what
-/// is there stays as it is.
+/// Puts margins, motions and casts between the operations of a history, by numbers of their own:
+/// what is there stays as it is.
 class Inserter {
  public:
   explicit Inserter(std::uint64_t seed) : chance_(~seed) {}
 
-  History with_ways(const History& history) {
+  History with_motions(const History& history) {
     History more{history.setting, {}};
     more.operations.reserve(2 * history.operations.size());
     const auto shape_count = static_cast<std::uint32_t>(palette_of(history.setting).size());
@@ -392,8 +392,8 @@ class Inserter {
 
 History random_history(Setting setting, std::uint64_t seed, std::size_t count) {
   const History history = Author(setting, seed).write(count);
-  const bool has_ways = setting == Setting::Parts || setting == Setting::Terrains;
-  return has_ways ? Inserter(seed).with_ways(history) : history;
+  const bool has_motions = setting == Setting::Parts || setting == Setting::Terrains;
+  return has_motions ? Inserter(seed).with_motions(history) : history;
 }
 
 }  // namespace graze::tests

@@ -217,7 +217,7 @@ TEST(Law13Policy, ACubeMayLeaveAndSlideButNotSink) {
   const auto sinking = cast({floor}, {box, resting}, {5, 0, -1e-300}, kLeft);
   ASSERT_TRUE(sinking);
   EXPECT_TRUE(sinking->is_at_start);
-  EXPECT_EQ(sinking->features, MeetingFeatures::Crossing);
+  EXPECT_EQ(sinking->features, MeetingFeatures::AtStart);
   // What it comes to later is met as ever.
   const auto stopped = cast({box}, {box, at_place(-3, 0, 0)}, {4, 0, 0}, kLeft);
   ASSERT_TRUE(stopped);

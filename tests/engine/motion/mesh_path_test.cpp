@@ -92,7 +92,7 @@ std::optional<FirstContact> of_features(const MeshPath& a, const MeshPath& b,
     case MeetingFeatures::EdgeEdge:
       return first_contact(EdgePath{corner_t[i], corner_t[(i + 1) % 3]},
                            EdgePath{corner_u[k], corner_u[(k + 1) % 3]}, {.start = start});
-    case MeetingFeatures::Crossing:
+    case MeetingFeatures::AtStart:
       break;
   }
   return intersects(Triangle{t.a.start, t.b.start, t.c.start},
@@ -270,7 +270,7 @@ std::vector<ToldContact> all_contacts(const MeshPath& a, const MeshPath& b, Star
       const bool may_touch = start == StartContact::IsLeft || has(in_a[i], in_b[k][0]) ||
                              has(in_a[i], in_b[k][1]) || has(in_a[i], in_b[k][2]);
       if (may_touch ? crosses(t, u) : intersects(t, u))
-        all.push_back({MeetingFeatures::Crossing, 0, true});
+        all.push_back({MeetingFeatures::AtStart, 0, true});
     }
   }
   std::sort(all.begin(), all.end());

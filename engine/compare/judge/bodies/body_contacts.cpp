@@ -108,9 +108,9 @@ PartsReview review_others_parting(const PlacedBody& a, const PlacedBody& b,
     return {.fault =
                 WitnessFault{beside("a depth beyond what parts the two"), deepest.depth - needed}};
   }
-  const WayOut way{n, std::max(deepest.depth, 0.0), tolerance};
+  const WayOut way_out{n, std::max(deepest.depth, 0.0), tolerance};
   if (needed > deepest.depth + tolerance) {
-    PartsReview parted = review_parted(a, b, way);
+    PartsReview parted = review_parted(a, b, way_out);
     const double back = needed_along(a, b, -n);
     if (parted.fault && back <= deepest.depth + tolerance)
       return {.fault = WitnessFault{"a normal from B to A", 2 * deepest.depth}};
@@ -119,7 +119,7 @@ PartsReview review_others_parting(const PlacedBody& a, const PlacedBody& b,
           beside("a depth that does not part the two") + "; they are " + parted.fault->what;
     if (parted.fault || !parted.unjudged.empty()) return parted;
   }
-  return review_least(a, b, way, truth);
+  return review_least(a, b, way_out, truth);
 }
 
 /// How far a point is off the surface, inside or outside.
@@ -192,8 +192,8 @@ PartsReview review_manifold(const PlacedBody& a, const PlacedBody& b,
   const double tolerance = slack + kExtentTolerance * extent_of(contacts);
   if (Fault fault = fault_of_parting(a, b, contacts, tolerance)) return {.fault = fault};
   const CaseShapeContact& deepest = contacts.front();
-  const WayOut way{deepest.normal, deepest.depth, parting_tolerance(a, b, true)};
-  PartsReview review = review_least(a, b, way, truth);
+  const WayOut way_out{deepest.normal, deepest.depth, parting_tolerance(a, b, true)};
+  PartsReview review = review_least(a, b, way_out, truth);
   if (!review.fault && most_off > beside) {
     const std::string points = "where its points are, to a part in 16";
     review.unjudged = review.unjudged.empty() ? points : points + ", and " + review.unjudged;

@@ -29,13 +29,13 @@ struct WayOut {
 
 /// Whether the two are apart, or merely touch, where B has gone: if not, they must go as far as the
 /// shortest way out is from there.
-PartsReview review_parted(const PlacedBody& a, const PlacedBody& b, const WayOut& way);
+PartsReview review_parted(const PlacedBody& a, const PlacedBody& b, const WayOut& way_out);
 
 /// Whether another direction would do sooner, by least_parting(), and of two convex bodies whether
 /// none leads out so soon. Of two boxes a twentieth more is granted. Adds both bounds to the truth;
 /// what parts the hulls of surfaces parts the surfaces, but that nothing does sooner it does not
 /// prove. What is too long is ErrorClass::NotLeast.
-PartsReview review_least(const PlacedBody& a, const PlacedBody& b, const WayOut& way,
+PartsReview review_least(const PlacedBody& a, const PlacedBody& b, const WayOut& way_out,
                          std::string& truth);
 
 }  // namespace graze::compare

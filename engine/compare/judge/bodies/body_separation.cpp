@@ -18,7 +18,7 @@ constexpr double kOurLength = 0x1p-46;
 /// by less, so that contacts do not change with each step.
 constexpr double kBoxGrant = 0.05;
 
-/// So near, of what is granted, the bounds of a shortest way are looked for.
+/// So near, of what is granted, the bounds of a shortest translation are looked for.
 constexpr double kShareOfTolerance = 0.25;
 
 bool is_box(const PlacedBody& body) {
@@ -36,7 +36,7 @@ PartsReview review_length(const PlacedBody& a, const PlacedBody& b, const Eigen:
   if (length > tolerance) {
     const double needed = needed_along(a, b, by / length);
     if (length > std::max(needed, 0.0) + tolerance)
-      return fault("longer than it must be along its own way", length - needed);
+      return fault("longer than it must be along its own direction", length - needed);
     if (needed <= length + tolerance) return {};
   }
   return review_parted(a, b, {by, length, tolerance});
@@ -71,42 +71,43 @@ bool is_surface(const PlacedBody& body) {
   return body.shape.kind() == ShapeKind::Mesh || body.shape.kind() == ShapeKind::HeightField;
 }
 
-PartsReview review_parted(const PlacedBody& a, const PlacedBody& b, const WayOut& way) {
+PartsReview review_parted(const PlacedBody& a, const PlacedBody& b, const WayOut& way_out) {
   Pose moved = b.pose;
-  if (way.length > 0) moved.translation() += way.length * way.direction.normalized();
+  if (way_out.length > 0) moved.translation() += way_out.length * way_out.direction.normalized();
   const std::optional<LeastParting> left =
-      least_parting(a, {b.shape, moved}, way.direction, kShareOfTolerance * way.tolerance);
+      least_parting(a, {b.shape, moved}, way_out.direction, kShareOfTolerance * way_out.tolerance);
   if (!left) return {.unjudged = "that they are apart after it"};
-  if (left->least > way.tolerance) {
+  if (left->least > way_out.tolerance) {
     return {.fault = WitnessFault{"still a hit after it" +
                                       in_metres(": a plane parts them after another", left->most) +
                                       in_metres(", and none before", left->least),
                                   left->least}};
   }
-  if (left->most <= way.tolerance) return {};
+  if (left->most <= way_out.tolerance) return {};
   return {.unjudged = "that they are apart after it" +
                       in_metres(": a plane parts them after another", left->most)};
 }
 
-PartsReview review_least(const PlacedBody& a, const PlacedBody& b, const WayOut& way,
+PartsReview review_least(const PlacedBody& a, const PlacedBody& b, const WayOut& way_out,
                          std::string& truth) {
   const std::optional<LeastParting> shortest =
-      least_parting(a, b, way.direction, kShareOfTolerance * way.tolerance);
+      least_parting(a, b, way_out.direction, kShareOfTolerance * way_out.tolerance);
   if (!shortest) return {.unjudged = "whether a shorter one does"};
   const bool are_bodies = !is_surface(a) && !is_surface(b);
-  const double granted = way.tolerance + (is_box(a) && is_box(b) ? kBoxGrant * way.length : 0);
+  const double granted =
+      way_out.tolerance + (is_box(a) && is_box(b) ? kBoxGrant * way_out.length : 0);
   const double most = std::max(shortest->most, 0.0);
   const double least = are_bodies ? std::max(shortest->least, 0.0) : 0;
   std::string bounds = in_metres("a plane parts them after", most);
   if (are_bodies) bounds += in_metres(", and none before", least);
-  if (way.length > most + granted) {
-    return {
-        .fault = WitnessFault{in_metres("a way out of", way.length) + ", not the least: " + bounds,
-                              way.length - most},
-        .error_class = ErrorClass::NotLeast};
+  if (way_out.length > most + granted) {
+    return {.fault = WitnessFault{in_metres("a way out of", way_out.length) +
+                                      ", not the least: " + bounds,
+                                  way_out.length - most},
+            .error_class = ErrorClass::NotLeast};
   }
   truth += "; " + bounds;
-  if (way.length <= least + granted) return {};
+  if (way_out.length <= least + granted) return {};
   return {.unjudged = "whether a shorter one does"};
 }
 

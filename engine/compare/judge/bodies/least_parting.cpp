@@ -12,7 +12,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Triangles of directions that are divided: of shapes that are about as wide whichever way one
+/// Triangles of directions that are divided: of shapes that are about as wide wherever one
 /// turns no number is enough. Of many corners fewer.
 constexpr std::size_t kMostDivisions = std::size_t{1} << 14;
 constexpr std::size_t kMostCorners = std::size_t{1} << 22;  // that are looked through for these
@@ -92,14 +92,14 @@ Vector3d far_point(const PlacedBody& body, const Vector3d& n) {
 struct Look {
   Vector3d n;
   Vector3d point;
-  double way() const { return n.dot(point); }
+  double length() const { return n.dot(point); }
 };
 
 /// Directions that are positive sums of three, or in a plane of two.
 template <std::size_t N>
 struct Patch {
   std::array<Look, N> corners;
-  double bound;  ///< no direction of it has a shorter way
+  double bound;  ///< no direction of it has a shorter translation
 };
 
 /// A unit vector is a sum of the corners whose weights add up to one or more, and to no more than
@@ -121,7 +121,7 @@ class Search {
 
   Look look(const Vector3d& n) {
     Look seen{n, far_point(a_, n) - far_point(b_, -n)};
-    if (best_.n.isZero() || seen.way() < best_.way()) best_ = seen;
+    if (best_.n.isZero() || seen.length() < best_.length()) best_ = seen;
     return seen;
   }
 
@@ -133,9 +133,9 @@ class Search {
   LeastParting run(double tolerance) {
     const std::size_t corners = corner_count(a_.shape) + corner_count(b_.shape);
     const std::size_t most = std::clamp(kMostCorners / corners, kLeastDivisions, kMostDivisions);
-    for (std::size_t i = 0; i < most && patches_.front().bound < best_.way() - tolerance; ++i)
+    for (std::size_t i = 0; i < most && patches_.front().bound < best_.length() - tolerance; ++i)
       divide_first();
-    return {std::min(patches_.front().bound, best_.way()), best_.way(), best_.n};
+    return {std::min(patches_.front().bound, best_.length()), best_.length(), best_.n};
   }
 
  private:
@@ -210,13 +210,14 @@ LeastParting over_all_directions(const PlacedBody& a, const PlacedBody& b, const
 struct RoundBody {
   Vector3d middle;               ///< on the line
   std::optional<Vector3d> axis;  ///< unit; none: it may turn about any line through its middle
-  double reach;                  ///< no point of it is farther from the middle
+  double bounding_radius;        ///< no point of it is farther from the middle
 };
 
 /// Without its radius, as far_point() has it.
 std::optional<RoundBody> round_body(const PlacedBody& body) {
-  const auto about_z = [&](double reach) {
-    return RoundBody{body.pose.translation(), body.pose.linear().col(2).normalized(), reach};
+  const auto about_z = [&](double bounding_radius) {
+    return RoundBody{body.pose.translation(), body.pose.linear().col(2).normalized(),
+                     bounding_radius};
   };
   if (const auto* s = body.shape.as<Sphere>()) return RoundBody{body.pose * s->centre, {}, 0};
   if (const auto* s = body.shape.as<Capsule>()) return about_z(s->half_length);
@@ -250,7 +251,7 @@ std::optional<CommonAxis> common_axis(const PlacedBody& a, const PlacedBody& b) 
     return CommonAxis{between.isZero() ? Vector3d::UnitX() : between.normalized(), 0};
   const Vector3d along = round_a->axis ? *round_a->axis : *round_b->axis;
   double off = between.cross(along).norm();
-  if (round_b->axis) off += 2 * round_b->reach * round_b->axis->cross(along).norm();
+  if (round_b->axis) off += 2 * round_b->bounding_radius * round_b->axis->cross(along).norm();
   return CommonAxis{along, off};
 }
 
@@ -271,11 +272,12 @@ LeastParting over_half_plane(const PlacedBody& a, const PlacedBody& b, const Com
 /// B leaves a half-space along its normal, and a plane along that or the other way.
 LeastParting out_of_flat(const PlacedBody& flat, const PlacedBody& other) {
   const Vector3d n = flat.pose.linear() * flat_of(flat.shape)->normal;
-  const auto way = [&](const Vector3d& out) {
+  const auto length = [&](const Vector3d& out) {
     return support_along(flat.shape, flat.pose, out) + support_along(other.shape, other.pose, -out);
   };
-  LeastParting found{way(n), way(n), n};
-  if (flat.shape.kind() == ShapeKind::Plane && way(-n) < found.most) found = {way(-n), way(-n), -n};
+  LeastParting found{length(n), length(n), n};
+  if (flat.shape.kind() == ShapeKind::Plane && length(-n) < found.most)
+    found = {length(-n), length(-n), -n};
   return found;
 }
 

@@ -61,7 +61,7 @@ class SurfaceRay {
 
   const std::vector<Meeting>& meetings() const { return meetings_; }
 
-  bool is_within_reach(const Meeting& meeting) const {
+  bool is_within_range(const Meeting& meeting) const {
     return meeting.distance <= ray_.max_distance - bound(meeting.distance);
   }
 
@@ -127,7 +127,7 @@ Judgement wrong(const std::string& truth, const std::string& what, double error)
 Judgement judge_surface_ray(const Case& query, const CaseAnswer& answer, bool is_graze) {
   const SurfaceRay ray(query, is_graze);
   const std::vector<RayHit>& hits = *answer.hits;
-  const auto must_be_told = [&](const Meeting& m) { return ray.is_within_reach(m); };
+  const auto must_be_told = [&](const Meeting& m) { return ray.is_within_range(m); };
   const auto told = static_cast<std::ptrdiff_t>(hits.size());
   const std::ptrdiff_t due =
       std::count_if(ray.meetings().begin(), ray.meetings().end(), must_be_told);

@@ -86,7 +86,7 @@ double largest_move(const RationalTriangle& from, const RationalTriangle& to) {
   return rounded_root(largest);
 }
 
-/// By how much rounding has moved a corner of B, which is placed on every way. What A's pose
+/// By how much rounding has moved a corner of B, which is placed in every variant. What A's pose
 /// deviates from a rotation counts with it where B is brought into A's frame.
 double moved(const PosedTriangles& posed, const PlacedTriangles& placed, ClassicFrame frame) {
   const RationalTriangle b = placed_without_rounding(posed.pose_b, posed.b);
@@ -117,20 +117,21 @@ std::string number(double value) {
   return text.data();
 }
 
-std::string blame_placing(const ClassicWay& way, bool says) {
-  return std::string("Placing does it: ") + name_of(way.frame) + ", in " + name_of(way.numbers) +
-         ", rounding moves a corner by up to " + number(way.moved) +
+std::string blame_placing(const ClassicVariant& variant, bool says) {
+  return std::string("Placing does it: ") + name_of(variant.frame) + ", in " +
+         name_of(variant.numbers) + ", rounding moves a corner by up to " + number(variant.moved) +
          " m, and the two triangles as they then stand " + (says ? "do touch" : "do not touch") +
          ", exactly. No test behind that, however careful, gives the true answer.";
 }
 
-std::string blame_step(const ClassicWay& way, const ClassicRun& run, const ClassicStep& step) {
+std::string blame_step(const ClassicVariant& variant, const ClassicRun& run,
+                       const ClassicStep& step) {
   const bool by_axes = run.test == ClassicTest::Axes;
   std::string text = by_axes ? "The separating axis test, which looks for a direction with a gap, "
                              : "The test by determinants, which looks for an edge that pierces, ";
-  text += std::string("does it, in ") + name_of(way.numbers) + ", " + name_of(way.frame) + ": " +
-          step.name + " comes out as " + number(step.computed) + " and is " + number(step.exact) +
-          ", off by " + number(step.ulps) + " ulp of its largest term";
+  text += std::string("does it, in ") + name_of(variant.numbers) + ", " + name_of(variant.frame) +
+          ": " + step.name + " comes out as " + number(step.computed) + " and is " +
+          number(step.exact) + ", off by " + number(step.ulps) + " ulp of its largest term";
   if (by_axes) {
     text += step.computed_sign > 0 ? ". So it sees a gap where there is none."
                                    : ". So it overlooks the gap.";
@@ -141,12 +142,12 @@ std::string blame_step(const ClassicWay& way, const ClassicRun& run, const Class
   return text;
 }
 
-std::optional<std::string> blame_way(const ClassicWay& way, bool says) {
-  if (way.placed_touch == says) return blame_placing(way, says);
-  for (const ClassicRun* run : {&way.axes, &way.determinants}) {
+std::optional<std::string> blame_variant(const ClassicVariant& variant, bool says) {
+  if (variant.placed_touch == says) return blame_placing(variant, says);
+  for (const ClassicRun* run : {&variant.axes, &variant.determinants}) {
     if (run->says != says) continue;
-    const ClassicStep* step = run->misleading(way.placed_touch);
-    if (step != nullptr) return blame_step(way, *run, *step);
+    const ClassicStep* step = run->misleading(variant.placed_touch);
+    if (step != nullptr) return blame_step(variant, *run, *step);
   }
   return std::nullopt;
 }
@@ -174,8 +175,8 @@ PlacedTriangles placed_in(const PosedTriangles& posed, ClassicFrame frame, Class
                                            : placed_with<float>(posed, frame);
 }
 
-std::vector<ClassicWay> classic_ways(const PosedTriangles& posed) {
-  std::vector<ClassicWay> ways;
+std::vector<ClassicVariant> classic_variants(const PosedTriangles& posed) {
+  std::vector<ClassicVariant> variants;
   for (const ClassicNumbers numbers : {ClassicNumbers::Double, ClassicNumbers::Float}) {
     for (const ClassicFrame frame :
          {ClassicFrame::Common, ClassicFrame::OfA, ClassicFrame::Corner}) {
@@ -184,7 +185,7 @@ std::vector<ClassicWay> classic_ways(const PosedTriangles& posed) {
                              placed.a.c.allFinite() && placed.b.a.allFinite() &&
                              placed.b.b.allFinite() && placed.b.c.allFinite();
       if (!is_finite) continue;  // beyond what float can hold
-      ways.push_back(
+      variants.push_back(
           {.frame = frame,
            .numbers = numbers,
            .placed_touch = squared_distance(exactly(placed.a), exactly(placed.b)) == 0,
@@ -193,12 +194,12 @@ std::vector<ClassicWay> classic_ways(const PosedTriangles& posed) {
            .determinants = run_classic(ClassicTest::Determinants, numbers, placed.a, placed.b)});
     }
   }
-  return ways;
+  return variants;
 }
 
-std::optional<std::string> blame(const std::vector<ClassicWay>& ways, bool says) {
-  for (const ClassicWay& way : ways) {
-    if (std::optional<std::string> words = blame_way(way, says)) return words;
+std::optional<std::string> blame(const std::vector<ClassicVariant>& variants, bool says) {
+  for (const ClassicVariant& variant : variants) {
+    if (std::optional<std::string> words = blame_variant(variant, says)) return words;
   }
   return std::nullopt;
 }

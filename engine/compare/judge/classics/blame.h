@@ -31,8 +31,8 @@ struct PlacedTriangles {
 };
 PlacedTriangles placed_in(const PosedTriangles& posed, ClassicFrame frame, ClassicNumbers numbers);
 
-/// What happens on one way from the corners to an answer.
-struct ClassicWay {
+/// What happens from the corners to an answer, in one frame and one kind of numbers.
+struct ClassicVariant {
   ClassicFrame frame;
   ClassicNumbers numbers;
   bool placed_touch = false;  ///< exactly, of the corners as they are placed
@@ -42,11 +42,11 @@ struct ClassicWay {
 };
 
 /// All of them, those in double first.
-std::vector<ClassicWay> classic_ways(const PosedTriangles& posed);
+std::vector<ClassicVariant> classic_variants(const PosedTriangles& posed);
 
 /// Why textbook steps give the answer `says` about two triangles of which it is wrong, in words;
 /// none if none of them does.
-std::optional<std::string> blame(const std::vector<ClassicWay>& ways, bool says);
+std::optional<std::string> blame(const std::vector<ClassicVariant>& variants, bool says);
 
 const char* name_of(ClassicFrame frame);
 const char* name_of(ClassicNumbers numbers);

@@ -91,15 +91,15 @@ double fastest_point(const CaseShape& shape) {
   const auto& body = std::get<CaseBody>(shape);
   if (!body.course) return 0;
   const RigidMotion motion = motion_of(body);
-  double way = motion.shift().norm();
+  double travel = motion.shift().norm();
   if (motion.angle() != 0) {
     const Aabb bounds = bounding_aabb({body.shape, motion.start()});
     const Eigen::Vector3d farthest = (bounds.min - motion.centre())
                                          .cwiseAbs()
                                          .cwiseMax((bounds.max - motion.centre()).cwiseAbs());
-    way += std::abs(motion.angle()) * farthest.norm();
+    travel += std::abs(motion.angle()) * farthest.norm();
   }
-  return way * (1 + 0x1p-20);
+  return travel * (1 + 0x1p-20);
 }
 
 }  // namespace

@@ -101,19 +101,19 @@ MeshReferee::Gap MeshReferee::find_gap(const std::optional<TrianglePair>& hint) 
     return rounded_root(square) * (1 + 0x1p-50);
   };
   best.square = square_of(best.pair.a, best.pair.b);
-  // Most pairs lie behind each other along the way that leads between the nearest so far.
-  const auto way_of = [&](const TrianglePair& pair) -> Eigen::Vector3d {
+  // Most pairs lie behind each other along the offset between the nearest so far.
+  const auto offset_of = [&](const TrianglePair& pair) -> Eigen::Vector3d {
     const TriangleDistance proposed = distance(triangle_a(pair.a), triangle_b(pair.b));
     return proposed.point_b - proposed.point_a;
   };
-  Eigen::Vector3d way = way_of(best.pair);
+  Eigen::Vector3d offset = offset_of(best.pair);
   double bound = bound_of(best.square);
   BoxTree::for_each_nearer(tree_a, tree_b, bound, [&](std::uint32_t a, std::uint32_t b) {
-    if (lies_surely_beyond(triangle_a(a), triangle_b(b), way, bound)) return bound;
+    if (lies_surely_beyond(triangle_a(a), triangle_b(b), offset, bound)) return bound;
     const mpq_class square = square_of(a, b);
     if (square < best.square) {
       best = {square, {a, b}};
-      way = way_of(best.pair);
+      offset = offset_of(best.pair);
       bound = bound_of(square);
     }
     return bound;

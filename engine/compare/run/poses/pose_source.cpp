@@ -127,9 +127,9 @@ std::vector<Pose> random_in(const Room& room, std::size_t count, std::uint64_t s
   for (std::size_t i = 0; i < count; ++i) {
     const Pose rotation = dice.rotation();
     const Eigen::Vector3d where = dice.in_cube();
-    const Eigen::Vector3d reach = room.a.half + Eigen::Vector3d::Constant(room.b.radius / 2);
+    const Eigen::Vector3d extent = room.a.half + Eigen::Vector3d::Constant(room.b.radius / 2);
     poses.push_back(
-        with_middle_at(rotation, room.b, room.a.middle + where.cwiseProduct(reach), room.pose_a));
+        with_middle_at(rotation, room.b, room.a.middle + where.cwiseProduct(extent), room.pose_a));
   }
   return poses;
 }

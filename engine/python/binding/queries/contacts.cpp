@@ -157,14 +157,14 @@ py::object separations_of(py::handle a, py::handle b, py::handle direction, py::
   static const ResultType kMany("Separations");
   const PlacedPair pair(a, b);
   pair.require_meshes("separating_translation");
-  std::optional<Eigen::Vector3d> way;
-  if (!direction.is_none()) way = vector_from(direction, "direction");
+  std::optional<Eigen::Vector3d> along;
+  if (!direction.is_none()) along = vector_from(direction, "direction");
   const auto answers = ask_all<Separation>(
       pair, Batch(threads, progress), work_from(work), [&](std::size_t i, Work* own) {
         const PlacedMeshView mesh_a = pair.a.mesh_at(i);
         const PlacedMeshView mesh_b = pair.b.mesh_at(i);
-        return way ? separating_translation(mesh_a, mesh_b, *way, own)
-                   : separating_translation(mesh_a, mesh_b, own);
+        return along ? separating_translation(mesh_a, mesh_b, *along, own)
+                     : separating_translation(mesh_a, mesh_b, own);
       });
   if (!pair.is_many()) {
     const Separation& found = answers[0];

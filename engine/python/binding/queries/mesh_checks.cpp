@@ -61,7 +61,7 @@ py::object self_pairs_of(const Mesh& mesh, py::handle kind, py::handle limit,
   const SelfSettings settings{
       .kind = word_from<SelfPairKind>(
           kind, "kind",
-          {{"crossing", SelfPairKind::Crossing}, {"neighbour", SelfPairKind::Neighbour}}),
+          {{"intersecting", SelfPairKind::Intersecting}, {"neighbour", SelfPairKind::Neighbour}}),
       .limit = limit_from(limit)};
   Work* work = work_from(work_argument);
   TrianglePairs found;
@@ -132,23 +132,23 @@ void add_mesh_checks(py::module_& module) {
   module.def("self_intersects", &self_intersects_of, R"(self_intersects(mesh, *, work=None)
 --
 
-Whether two triangles of a mesh cross: their intersection is more than what they have in common.
+Whether two triangles of a mesh intersect: they share more than the welded vertex or edge that they have in common.
 
 >>> graze.self_intersects(bolt)
 False
 )",
              py::arg("mesh"), py::kw_only(), py::arg("work") = py::none());
   module.def("find_self_pairs", &self_pairs_of,
-             R"(find_self_pairs(mesh, *, kind='crossing', limit=None, work=None)
+             R"(find_self_pairs(mesh, *, kind='intersecting', limit=None, work=None)
 --
 
-All pairs of triangles of a mesh that cross, or with `kind` "neighbour" those that share just a vertex or an edge:
+All pairs of triangles of a mesh that intersect, or with `kind` "neighbour" those that share just a vertex or an edge:
 TrianglePairs.
 
 >>> len(graze.find_self_pairs(bolt).pairs)
 0
 )",
-             py::arg("mesh"), py::kw_only(), py::arg("kind") = "crossing",
+             py::arg("mesh"), py::kw_only(), py::arg("kind") = "intersecting",
              py::arg("limit") = py::none(), py::arg("work") = py::none());
   module.def("find_triangles", &find_triangles_of,
              R"(find_triangles(mesh, volume, *, limit=None, work=None)

@@ -20,10 +20,10 @@ const char* words_of(MeetingFeatures features) {
       return "face-vertex";
     case MeetingFeatures::EdgeEdge:
       return "edge-edge";
-    case MeetingFeatures::Crossing:
+    case MeetingFeatures::AtStart:
       break;
   }
-  return "crossing";
+  return "at-start";
 }
 
 FirstContactSettings settings_from(py::handle start, py::handle separation) {

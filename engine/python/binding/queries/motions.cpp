@@ -158,17 +158,17 @@ py::object casts_of(const std::vector<std::optional<Cast>>& answers, const Resul
                 [&](const auto& met) -> Eigen::Vector3d { return met ? met->normal : nowhere; }));
 }
 
-py::object casts_of_meshes(const PlacedPair& pair, const Displacements& ways,
+py::object casts_of_meshes(const PlacedPair& pair, const Displacements& displacements,
                            const CastSettings& settings, const Batch& batch, Work* work) {
   static const ResultType kSingle("MeshCast");
   static const ResultType kMany("Casts");
   const auto answers = ask_all<std::optional<MeshCast>>(
-      ways.is_many(), ways.size(), batch, work,
+      displacements.is_many(), displacements.size(), batch, work,
       [&](std::size_t i, Work* own) {
-        return cast(pair.a.mesh_at(i), pair.b.mesh_at(i), ways[i], settings, own);
+        return cast(pair.a.mesh_at(i), pair.b.mesh_at(i), displacements[i], settings, own);
       },
-      [&] { ways.blame(pair); });
-  if (ways.is_many()) {
+      [&] { displacements.blame(pair); });
+  if (displacements.is_many()) {
     auto pairs = new_array<std::int64_t>({static_cast<py::ssize_t>(answers.size()), 2});
     std::int64_t* at = pairs.mutable_data();
     for (const auto& met : answers) {
@@ -183,17 +183,17 @@ py::object casts_of_meshes(const PlacedPair& pair, const Displacements& ways,
                  array_of(met->point), array_of(met->normal));
 }
 
-py::object casts_of_shapes(const PlacedPair& pair, const Displacements& ways, const Batch& batch,
-                           Work* work) {
+py::object casts_of_shapes(const PlacedPair& pair, const Displacements& displacements,
+                           const Batch& batch, Work* work) {
   static const ResultType kSingle("ShapeCast");
   static const ResultType kMany("Casts");
   const auto answers = ask_all<std::optional<ShapeCast>>(
-      ways.is_many(), ways.size(), batch, work,
+      displacements.is_many(), displacements.size(), batch, work,
       [&](std::size_t i, Work* own) {
-        return cast(pair.a.shape_at(i), pair.b.shape_at(i), ways[i], own);
+        return cast(pair.a.shape_at(i), pair.b.shape_at(i), displacements[i], own);
       },
-      [&] { ways.blame(pair); });
-  if (ways.is_many()) return casts_of(answers, kMany, py::none());
+      [&] { displacements.blame(pair); });
+  if (displacements.is_many()) return casts_of(answers, kMany, py::none());
   const auto& met = answers[0];
   if (!met) return py::none();
   return kSingle(met->time, met->is_at_start, array_of(met->point), array_of(met->normal));
@@ -202,12 +202,13 @@ py::object casts_of_shapes(const PlacedPair& pair, const Displacements& ways, co
 py::object cast_of(py::handle a, py::handle b, py::handle displacement, py::handle start,
                    py::handle threads, py::handle progress, py::handle work) {
   const PlacedPair pair(a, b);
-  const Displacements ways(displacement, pair);
+  const Displacements displacements(displacement, pair);
   const CastSettings settings{.start = start_from(start)};
   const Batch batch(threads, progress);
-  if (pair.are_meshes()) return casts_of_meshes(pair, ways, settings, batch, work_from(work));
+  if (pair.are_meshes())
+    return casts_of_meshes(pair, displacements, settings, batch, work_from(work));
   if (settings.start != StartContact::Counts) throw InputError("start: is for two meshes");
-  return casts_of_shapes(pair, ways, batch, work_from(work));
+  return casts_of_shapes(pair, displacements, batch, work_from(work));
 }
 
 /// An array of the words, of which numpy keeps four bytes a letter, up to zeros.

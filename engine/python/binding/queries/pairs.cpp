@@ -98,7 +98,8 @@ py::object pairs_of(py::handle a, py::handle b, py::handle limit, py::handle tou
   Work* work = work_from(work_argument);
   LockedMemory memory(memory_argument, pair);
   if (!pair.is_many()) {
-    settings.threads = Batch(threads, progress).threads;
+    const Batch batch(threads, progress);
+    if (settings.limit == kNoLimit) settings.threads = batch.threads;
     TrianglePairs found;
     {
       const py::gil_scoped_release released;
@@ -178,7 +179,8 @@ constexpr const char* kPairsText =
 All pairs of triangles of two placed meshes that share a point: TrianglePairs, whose `pairs` have the shape
 (k, 2), ascending. At most `limit` of them; `is_complete` says whether that is all there is. With many poses,
 as of intersects(), TrianglePairLists: all pairs in one array, and where those of each pose begin. `touch` may be
-"exclude", which leaves out what merely touches.
+"exclude", which leaves out what merely touches. `threads` share many poses, or one pose without a limit: which
+pairs come first is for one thread to say.
 
 Raises what intersects() raises.
 

@@ -26,11 +26,11 @@ constexpr double kNegligible = 1e-9;
 constexpr double kAlongNormal = 1 - 1e-10;
 
 // Of points that are nearer to each other than this share of the pair's scale rounding turns the
-// line between them by more than kNegligible: where faces lie along each other they tell the way.
+// line between them by more than kNegligible: where faces lie along each other they tell the exit.
 constexpr double kUntold = 1e-7;
 
 // Two ways out are one within 2 degrees.
-constexpr double kAlongWay = 0.9994;
+constexpr double kAlongExit = 0.9994;
 
 // Points that are nearer to each other than this share of a region's size are one: a corner that
 // is found on either side of an edge, or as an end of a crossing as well.
@@ -68,7 +68,7 @@ bool is_behind(const Core& triangle, const Vec3& point, const Vec3& direction, d
 NearTriangles::NearTriangles(const PlacedMeshView& a, const PlacedMeshView& b,
                              ContactCandidates& candidates, Work& work)
     : mesh_a_(a), mesh_b_(b), candidates_(candidates), work_(work), s_(scratch()) {
-  s_.pairs.clear(), s_.ways.clear(), s_.local.clear(), s_.touches.clear();
+  s_.pairs.clear(), s_.exits.clear(), s_.local.clear(), s_.touches.clear();
 }
 
 NearTriangles::Scratch& NearTriangles::scratch() {
@@ -79,7 +79,7 @@ NearTriangles::Scratch& NearTriangles::scratch() {
 void NearTriangles::add() {
   grow_known();
   find_pairs();
-  find_ways();
+  find_exits();
   for (const NearPair& pair : s_.pairs)
     add_faces(pair);
   rebuild();
@@ -92,15 +92,15 @@ void NearTriangles::grow_known() {
   const double margin = candidates_.margin;
   std::size_t first = 0;
   for (const std::size_t end : candidates_.ends) {
-    const std::uint32_t own = add_way(candidates_.list[first].normal, 0);
+    const std::uint32_t own = add_exit(candidates_.list[first].normal, 0);
     for (; first < end; ++first) {
       const ContactPoint& touch = candidates_.list[first];
-      const bool is_along = dot(touch.normal, s_.ways[own].normal) > kAlongWay;
+      const bool is_along = dot(touch.normal, s_.exits[own].normal) > kAlongExit;
       const std::uint32_t region = is_along ? own : region_of(touch.normal);
-      RegionWay& way = s_.ways[region];
+      RegionExit& exit = s_.exits[region];
       const double depth = touch.depth + margin;
-      way.depth = std::max(way.depth, depth);
-      s_.touches.push_back({region, {touch.point_a + way.normal * margin, touch.point_b, depth}});
+      exit.depth = std::max(exit.depth, depth);
+      s_.touches.push_back({region, {touch.point_a + exit.normal * margin, touch.point_b, depth}});
     }
   }
 }
@@ -133,27 +133,27 @@ void NearTriangles::find_pairs() {
 
 /// The ways out of what is apart: where two features are as near to each other as anything around
 /// them, and face each other.
-void NearTriangles::find_ways() {
-  const bool nothing_touches = s_.ways.empty();
+void NearTriangles::find_exits() {
+  const bool nothing_touches = s_.exits.empty();
   for (const NearPair& pair : s_.pairs) {
     const double scale = pair_scale(pair.of_a, pair.of_b);
     if (nothing_touches && pair.distance <= kUntold * scale &&
-        -dot(pair.normal_a, pair.normal_b) > kAlongWay) {
+        -dot(pair.normal_a, pair.normal_b) > kAlongExit) {
       s_.local.push_back({-pair.normal_b, &pair});
       continue;
     }
     const double negligible = kNegligible * scale;
     if (pair.distance <= negligible) continue;  // those cross or touch
-    const Vec3 normal = way_of(pair);
+    const Vec3 normal = exit_direction(pair);
     if (is_local(pair, normal, negligible)) s_.local.push_back({normal, &pair});
   }
-  std::stable_sort(s_.local.begin(), s_.local.end(), [](const LocalWay& s, const LocalWay& t) {
+  std::stable_sort(s_.local.begin(), s_.local.end(), [](const LocalExit& s, const LocalExit& t) {
     return s.pair->distance < t.pair->distance;
   });
   const double margin = candidates_.margin;
-  for (const LocalWay& local : s_.local) {
+  for (const LocalExit& local : s_.local) {
     const std::uint32_t region = region_of(local.normal);
-    const Vec3& normal = s_.ways[region].normal;
+    const Vec3& normal = s_.exits[region].normal;
     const Vec3 grown = local.pair->point_a + normal * margin;
     const double depth = std::max(dot(grown - local.pair->point_b, normal), 0.0);
     s_.touches.push_back({region, {grown, local.pair->point_b, depth}});
@@ -162,7 +162,7 @@ void NearTriangles::find_ways() {
 
 /// Along the line between the nearest points, whose rounding a small distance magnifies: where that
 /// is along a face's normal it is the normal.
-Vec3 NearTriangles::way_of(const NearPair& pair) {
+Vec3 NearTriangles::exit_direction(const NearPair& pair) {
   const Vec3 between = (pair.point_b - pair.point_a) * (1 / pair.distance);
   if (-dot(pair.normal_b, between) > kAlongNormal) return -pair.normal_b;
   if (dot(pair.normal_a, between) > kAlongNormal) return pair.normal_a;
@@ -187,41 +187,42 @@ bool NearTriangles::is_local(const NearPair& pair, const Vec3& normal, double ne
 
 /// The number of the first region that is left along a direction, or of regions.
 std::size_t NearTriangles::along(const Vec3& normal) const {
-  const auto at = std::find_if(s_.ways.begin(), s_.ways.end(), [&](const RegionWay& way) {
-    return dot(way.normal, normal) > kAlongWay;
+  const auto at = std::find_if(s_.exits.begin(), s_.exits.end(), [&](const RegionExit& exit) {
+    return dot(exit.normal, normal) > kAlongExit;
   });
-  return static_cast<std::size_t>(at - s_.ways.begin());
+  return static_cast<std::size_t>(at - s_.exits.begin());
 }
 
-std::uint32_t NearTriangles::add_way(const Vec3& normal, double depth) {
-  s_.ways.push_back({normal, depth, along(normal) == s_.ways.size()});
-  return static_cast<std::uint32_t>(s_.ways.size() - 1);
+std::uint32_t NearTriangles::add_exit(const Vec3& normal, double depth) {
+  s_.exits.push_back({normal, depth, along(normal) == s_.exits.size()});
+  return static_cast<std::uint32_t>(s_.exits.size() - 1);
 }
 
 std::uint32_t NearTriangles::region_of(const Vec3& normal) {
   const std::size_t known = along(normal);
-  return known < s_.ways.size() ? static_cast<std::uint32_t>(known)
-                                : add_way(normal, candidates_.margin);
+  return known < s_.exits.size() ? static_cast<std::uint32_t>(known)
+                                 : add_exit(normal, candidates_.margin);
 }
 
-/// Where both faces are nearly at right angles to a way, what lies between them has contacts along
-/// it.
+/// Where both faces are nearly at right angles to an exit, what lies between them has contacts
+/// along it.
 void NearTriangles::add_faces(const NearPair& pair) {
   if (FacingFeatures::is_sliver(pair.of_a) || FacingFeatures::is_sliver(pair.of_b)) return;
-  for (std::uint32_t region = 0; region < s_.ways.size(); ++region) {
-    const RegionWay& way = s_.ways[region];
-    if (!way.is_first_along || dot(pair.normal_a, way.normal) < kNearlyFacing ||
-        -dot(pair.normal_b, way.normal) < kNearlyFacing)
+  for (std::uint32_t region = 0; region < s_.exits.size(); ++region) {
+    const RegionExit& exit = s_.exits[region];
+    if (!exit.is_first_along || dot(pair.normal_a, exit.normal) < kNearlyFacing ||
+        -dot(pair.normal_b, exit.normal) < kNearlyFacing)
       continue;
     narrowphase::Penetration penetration{};
-    penetration.normal = way.normal;
-    penetration.depth = way.depth - candidates_.margin;
+    penetration.normal = exit.normal;
+    penetration.depth = exit.depth - candidates_.margin;
     candidates_.found.clear();
     add_face_contact_points(pair.of_a, pair.of_b, penetration, candidates_.found,
                             candidates_.margin);
     for (const ContactPoint& touch : candidates_.found) {
       const double depth = std::max(dot(touch.point_a - touch.point_b, touch.normal), 0.0);
-      if (depth <= way.depth) s_.touches.push_back({region, {touch.point_a, touch.point_b, depth}});
+      if (depth <= exit.depth)
+        s_.touches.push_back({region, {touch.point_a, touch.point_b, depth}});
     }
   }
 }
@@ -254,13 +255,13 @@ double NearTriangles::gather(std::uint32_t region) {
 /// Writes all candidates anew, region by region.
 void NearTriangles::rebuild() {
   candidates_.clear();
-  for (std::uint32_t region = 0; region < s_.ways.size(); ++region) {
+  for (std::uint32_t region = 0; region < s_.exits.size(); ++region) {
     const double size = gather(region);
     if (!s_.met.empty()) {
       add_ends(s_.met,
                {.pose_a = mesh_a_.pose,
                 .pose_b = mesh_b_.pose,
-                .way = -s_.ways[region].normal,
+                .exit = -s_.exits[region].normal,
                 .size = size,
                 .margin = candidates_.margin},
                candidates_.list);

@@ -35,12 +35,12 @@ class NearTriangles {
     narrowphase::Vec3 point_a, point_b;  ///< nearest to each other
     double distance;
   };
-  struct RegionWay {
+  struct RegionExit {
     narrowphase::Vec3 normal;
     double depth;         ///< of A grown: the greatest of a point
     bool is_first_along;  ///< no region before it is left along the same direction
   };
-  struct LocalWay {
+  struct LocalExit {
     narrowphase::Vec3 normal;
     const NearPair* pair;
   };
@@ -51,8 +51,8 @@ class NearTriangles {
   /// Kept from one pair to the next, so that no step of a simulation allocates.
   struct Scratch {
     std::vector<NearPair> pairs;
-    std::vector<RegionWay> ways;
-    std::vector<LocalWay> local;
+    std::vector<RegionExit> exits;
+    std::vector<LocalExit> local;
     std::vector<Touch> touches;
     std::vector<MetPoints> met;  ///< of one region
   };
@@ -60,11 +60,11 @@ class NearTriangles {
 
   void grow_known();
   void find_pairs();
-  void find_ways();
-  static narrowphase::Vec3 way_of(const NearPair& pair);
+  void find_exits();
+  static narrowphase::Vec3 exit_direction(const NearPair& pair);
   bool is_local(const NearPair& pair, const narrowphase::Vec3& normal, double negligible) const;
   std::size_t along(const narrowphase::Vec3& normal) const;
-  std::uint32_t add_way(const narrowphase::Vec3& normal, double depth);
+  std::uint32_t add_exit(const narrowphase::Vec3& normal, double depth);
   std::uint32_t region_of(const narrowphase::Vec3& normal);
   void add_faces(const NearPair& pair);
   double gather(std::uint32_t region);

@@ -3,7 +3,7 @@
 
 #include <graze/engine/world/contacts/contact_functions.h>
 #include <graze/engine/world/contacts/meshes/mesh_pieces.h>
-#include <graze/engine/world/contacts/meshes/piece_ways.h>
+#include <graze/engine/world/contacts/meshes/piece_exits.h>
 #include <graze/engine/world/shapes/placed_core.h>
 
 #include <algorithm>
@@ -18,25 +18,25 @@ using narrowphase::Vec3;
 /// Looks for the ways out of all pieces, the shortest first, and adds contacts for each. Law 15:
 /// what no longer overlaps once A has taken all ways out so far, by the least translation that
 /// does, is no contact.
-class MeshWays {
+class MeshExits {
  public:
-  MeshWays(MeshPieces& pieces, PieceWays& ways, ContactCandidates& candidates, Work& work)
-      : pieces_(pieces), ways_(ways), candidates_(candidates), work_(work), s_(scratch()) {}
+  MeshExits(MeshPieces& pieces, PieceExits& exits, ContactCandidates& candidates, Work& work)
+      : pieces_(pieces), exits_(exits), candidates_(candidates), work_(work), s_(scratch()) {}
 
-  /// False if a piece has no way at all, as where slivers alone cross.
+  /// False if a piece has no way out at all, as where slivers alone cross.
   bool run() {
     s_.clearance.start(kNegligible * pieces_.size());
     s_.taken.clear(), s_.first.clear();
     for (std::uint32_t piece = 0; piece < pieces_.count(); ++piece)
-      s_.first.push_back({piece, ways_.shortest(piece)});
+      s_.first.push_back({piece, exits_.shortest(piece)});
     std::sort(s_.first.begin(), s_.first.end(), [](const First& s, const First& t) {
-      const double of_s = s.way.touched.parting.exit.depth;
-      const double of_t = t.way.touched.parting.exit.depth;
+      const double of_s = s.exit.touched.parting.exit.depth;
+      const double of_t = t.exit.touched.parting.exit.depth;
       return of_s != of_t ? of_s < of_t : s.piece < t.piece;
     });
     for (const First& first : s_.first) {
-      if (!first.way.is_found) return false;
-      if (is_needed(first.way.touched.parting.exit)) take(first.piece, first.way);
+      if (!first.exit.is_found) return false;
+      if (is_needed(first.exit.touched.parting.exit)) take(first.piece, first.exit);
     }
     for (const First& first : s_.first)
       take_others(first.piece);
@@ -49,7 +49,7 @@ class MeshWays {
 
   struct First {
     std::uint32_t piece;
-    PieceWay way;
+    PieceExit exit;
   };
   struct Taken {
     std::uint32_t piece;
@@ -67,7 +67,7 @@ class MeshWays {
     return kept;
   }
 
-  /// Whether no way so far does the same; where another piece is left along the same direction, as
+  /// Whether no exit so far does the same; where another piece is left along the same direction, as
   /// where a plank lies on two trestles, this one is a contact, too.
   bool is_needed(const Exit& exit) const {
     if (!s_.clearance.satisfies(exit)) return true;
@@ -76,44 +76,45 @@ class MeshWays {
     });
   }
 
-  void take(std::uint32_t piece, const PieceWay& way) {
-    const Exit& exit = way.touched.parting.exit;
-    // What lies outside makes no way longer, but is to be out of the way as well.
-    if (!s_.clearance.satisfies(exit)) s_.clearance.add({exit.direction, exit.depth + way.beyond});
+  void take(std::uint32_t piece, const PieceExit& piece_exit) {
+    const Exit& exit = piece_exit.touched.parting.exit;
+    // What lies outside makes no exit longer, but is to be cleared as well.
+    if (!s_.clearance.satisfies(exit))
+      s_.clearance.add({exit.direction, exit.depth + piece_exit.beyond});
     const bool is_listed = std::any_of(s_.taken.begin(), s_.taken.end(), [&](const Taken& taken) {
       return taken.piece == piece && is_one_direction(taken.exit.direction, exit.direction) &&
              std::abs(taken.exit.depth - exit.depth) <= kSameDepth * pieces_.size();
     });
     if (is_listed) return;
     s_.taken.push_back({piece, exit});
-    ways_.add_contacts(piece, way, candidates_);
+    exits_.add_contacts(piece, piece_exit, candidates_);
     candidates_.end_region();
   }
 
-  /// While triangles of a piece overlap in spite of the ways so far, the shortest of theirs is one
+  /// While triangles of a piece overlap in spite of the exits so far, the shortest of theirs is one
   /// more.
   void take_others(std::uint32_t piece) {
-    const double enough = ways_.enough(piece);
+    const double enough = exits_.enough(piece);
     s_.overlapping.clear();
     for (const MeshCrossing& crossing : pieces_.crossings(piece))
       s_.overlapping.push_back(crossing.pair);
-    // Each way is satisfied from then on, or ends by leaving pairs out.
+    // Each exit is satisfied from then on, or ends by leaving pairs out.
     for (;;) {
       pieces_.remove_apart(s_.overlapping, s_.clearance.translation() * (1 / enough), work_);
       if (s_.overlapping.empty()) return;
-      const PieceWay way = ways_.shortest_of(piece, s_.overlapping, s_.clearance);
-      if (!way.is_found) return;
-      take(piece, way);
+      const PieceExit piece_exit = exits_.shortest_of(piece, s_.overlapping, s_.clearance);
+      if (!piece_exit.is_found) return;
+      take(piece, piece_exit);
       // Between walls that are too near to each other no translation satisfies all.
-      if (s_.clearance.satisfies(way.touched.parting.exit)) continue;
+      if (s_.clearance.satisfies(piece_exit.touched.parting.exit)) continue;
       std::erase_if(s_.overlapping, [&](const TrianglePair& pair) {
-        return (way.is_of_a ? pair.a : pair.b) == way.touched.parting.triangle;
+        return (piece_exit.is_of_a ? pair.a : pair.b) == piece_exit.touched.parting.triangle;
       });
     }
   }
 
   MeshPieces& pieces_;
-  PieceWays& ways_;
+  PieceExits& exits_;
   ContactCandidates& candidates_;
   Work& work_;
   Scratch& s_;
@@ -124,7 +125,7 @@ class MeshWays {
 bool candidates_of_crossings(const PlacedShapeView& a, const PlacedShapeView& b,
                              ContactCandidates& candidates, Work& work) {
   static thread_local MeshPieces pieces;  // no pair is looked at within another
-  static thread_local PieceWays ways;
+  static thread_local PieceExits exits;
   const PlacedMeshView mesh_a{*a.shape.as<Mesh>(), a.pose};
   const PlacedMeshView mesh_b{*b.shape.as<Mesh>(), b.pose};
   candidates.origin = middle_of(a.shape, a.pose);
@@ -138,8 +139,8 @@ bool candidates_of_crossings(const PlacedShapeView& a, const PlacedShapeView& b,
       break;
   }
   FacingFeatures features_a(mesh_a, origin), features_b(mesh_b, origin);
-  ways.start(pieces, features_a, features_b);
-  if (MeshWays(pieces, ways, candidates, work).run()) return true;
+  exits.start(pieces, features_a, features_b);
+  if (MeshExits(pieces, exits, candidates, work).run()) return true;
   candidates.clear();
   return false;
 }

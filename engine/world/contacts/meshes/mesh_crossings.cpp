@@ -1,4 +1,4 @@
-#include <graze/engine/mesh/query/crossing_pairs.h>
+#include <graze/engine/mesh/query/pair_list.h>
 #include <graze/engine/world/contacts/mesh_placing.h>
 #include <graze/engine/world/contacts/meshes/mesh_crossings.h>
 

@@ -63,7 +63,7 @@ class RegionPoints {
   RegionPoints(const MeshRegion& region, ContactCandidates& candidates)
       : region_(region),
         candidates_(candidates),
-        way_(region.left.parting.exit.direction),
+        exit_(region.left.parting.exit.direction),
         depth_(region.left.parting.exit.depth),
         size_(std::max(region.inner_a->radius, region.inner_b->radius)),
         planes_(scratch().planes),
@@ -79,7 +79,8 @@ class RegionPoints {
     for (const MetPoints& met : met_)
       most = std::max(most, met.depth);
     if (met_.empty() || depth_ - most > kSameMetDepth * size_) add_deepest();
-    add_ends(met_, {.pose_a = region_.pose_a, .pose_b = region_.pose_b, .way = way_, .size = size_},
+    add_ends(met_,
+             {.pose_a = region_.pose_a, .pose_b = region_.pose_b, .exit = exit_, .size = size_},
              candidates_.list);
   }
 
@@ -111,7 +112,7 @@ class RegionPoints {
     is_looked_at.assign(last_number - first_number_ + 1, 0);
     for (const MeshCrossing& crossing : region_.crossings) {
       const Vec3& normal = faces_are_a ? crossing.normal_b : crossing.normal_a;
-      const double facing = dot(normal, faces_are_a ? way_ : -way_);
+      const double facing = dot(normal, faces_are_a ? exit_ : -exit_);
       if (facing < kFacing) continue;
       for (const bool is_end : {false, true}) {
         const Vec3& point = is_end ? crossing.to : crossing.from;
@@ -179,11 +180,11 @@ class RegionPoints {
     planes_are_a_ = faces_are_a;
     const bool is_face = region_.left.parting.feature == LeftFeature::Face;
     if (is_face && faces_are_a == region_.is_of_a) {
-      planes_.push_back({faces_are_a ? -way_ : way_, region_.left.triangle.corner[0], 1});
+      planes_.push_back({faces_are_a ? -exit_ : exit_, region_.left.triangle.corner[0], 1});
     } else {
       for (const MeshCrossing& crossing : region_.crossings) {
         const Vec3& normal = faces_are_a ? crossing.normal_a : crossing.normal_b;
-        const double facing = (faces_are_a ? -1 : 1) * dot(normal, way_);
+        const double facing = (faces_are_a ? -1 : 1) * dot(normal, exit_);
         if (facing < (is_face ? kAlong : kNearlyFacing) || planes_.size() == kMostPlanes) continue;
         planes_.push_back({normal, (crossing.from + crossing.to) * 0.5, facing});
       }
@@ -202,7 +203,7 @@ class RegionPoints {
     for (const Plane& plane : planes_) {
       const double behind = dot(plane.point - point, plane.normal) / plane.facing;
       if (is_one_plane_) return behind;
-      const Vec3 beside = point + way_ * (planes_are_a_ ? -behind : behind) - plane.point;
+      const Vec3 beside = point + exit_ * (planes_are_a_ ? -behind : behind) - plane.point;
       const double square = dot(beside, beside);
       if (square < least) least = square, depth = behind;
     }
@@ -214,14 +215,14 @@ class RegionPoints {
     const double depth = depth_at(point);
     // Where the surfaces go through each other they say nothing that deeper points do not.
     if (depth < kNegligible * size_ || depth > depth_ + kSameMetDepth * size_) return std::nullopt;
-    const Vec3 met = point + way_ * (sign * depth);
+    const Vec3 met = point + exit_ * (sign * depth);
     return faces_are_a ? MetPoints{met, point, depth} : MetPoints{point, met, depth};
   }
 
   /// Where the body that leaves is deepest beyond the feature that it leaves last.
   void add_deepest() {
     const InnerPart& inner = region_.is_of_a ? *region_.inner_b : *region_.inner_a;
-    const Vec3 out = region_.is_of_a ? way_ : -way_;
+    const Vec3 out = region_.is_of_a ? exit_ : -exit_;
     const Segment deepest = farthest_of(inner, out);
     // Seen from the feature, where it is once the two have parted.
     const Vec3 from = deepest.from - out * depth_, to = deepest.to - out * depth_;
@@ -287,7 +288,7 @@ class RegionPoints {
 
   const MeshRegion& region_;
   ContactCandidates& candidates_;
-  Vec3 way_;  ///< in which A leaves
+  Vec3 exit_;  ///< in which A leaves
   double depth_;
   double size_;
   std::uint32_t first_number_ = 0;  ///< of the ends of crossings

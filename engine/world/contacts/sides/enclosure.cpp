@@ -60,7 +60,7 @@ void check_sides(const Shape* shape, const MeshSides& sides, const char* what) {
   if (sides.sides == Sides::Solid) {
     if (orientation.unpaired)
       refuse(*mesh, *orientation.unpaired,
-             begin + "a solid needs as many triangles one way as the other at each edge");
+             begin + "a solid needs as many triangles one bounded as the other at each edge");
   } else if (orientation.turned) {
     refuse(*mesh, *orientation.turned,
            begin + "one side needs triangles that go on from each other at each edge");
@@ -68,7 +68,7 @@ void check_sides(const Shape* shape, const MeshSides& sides, const char* what) {
 }
 
 bool Enclosure::holds() const {
-  if (body_.shape.kind() == ShapeKind::HalfSpace) return false;  // no finite way leads out
+  if (body_.shape.kind() == ShapeKind::HalfSpace) return false;  // no finite exit leads out
   switch (sides_.sides) {
     case Sides::Surface:
       return false;
@@ -132,7 +132,7 @@ class Enclosure::Exits {
         partings_(core, features_),
         allowance_(kNegligible * (core.bounding_radius + core.radius)) {}
 
-  /// The way through the triangle, if it leads out there: past a face where the body's last point
+  /// The exit through the triangle, if it leads out there: past a face where the body's last point
   /// leaves the face or a flat one next to it.
   std::optional<narrowphase::Exit> through(std::uint32_t index, const Core& triangle) const {
     if (FacingFeatures::is_sliver(triangle)) return std::nullopt;
@@ -147,11 +147,11 @@ class Enclosure::Exits {
     return exit;
   }
 
-  /// Whether the triangle, which is no sliver, is left by the same way.
-  bool leads(std::uint32_t index, const Core& triangle, const narrowphase::Exit& way) const {
+  /// Whether the triangle, which is no sliver, is left by the same exit.
+  bool leads(std::uint32_t index, const Core& triangle, const narrowphase::Exit& sought) const {
     const narrowphase::Exit exit = partings_.of(index, triangle).exit;
-    return is_one_direction(exit.direction, way.direction) &&
-           std::abs(exit.depth - way.depth) <= allowance_;
+    return is_one_direction(exit.direction, sought.direction) &&
+           std::abs(exit.depth - sought.depth) <= allowance_;
   }
 
  private:
@@ -170,7 +170,7 @@ void Enclosure::add(ContactCandidates& candidates) const {
   narrowphase::Exit best{{0, 0, 1}, std::numeric_limits<double>::infinity()};
   std::uint32_t nearest = 0, leading = 0;
   double nearest_distance = std::numeric_limits<double>::infinity();
-  double counted = nearest_distance;  // as how long the best way counts
+  double counted = nearest_distance;  // as how long the best exit counts
   const auto limit = [&] {
     return sides_.sides == Sides::OneSided ? std::min(counted, sides_.thickness) : counted;
   };
@@ -182,12 +182,14 @@ void Enclosure::add(ContactCandidates& candidates) const {
     if (distance < nearest_distance || is_tie) nearest_distance = distance, nearest = index;
     const std::optional<narrowphase::Exit> exit = exits.through(index, triangle);
     if (!exit) return bvh::Walk::Continue;
-    // Where it leads past a border a way may be shorter than the gap to its triangle: it counts as
-    // long as that, or which way is the first to end the walk would depend on the tree.
-    narrowphase::Exit way = *exit;
-    if (way.depth < distance) way.depth = std::max(way.depth, gap_of_sets(core, triangle).distance);
-    const bool is_as_short = way.depth == counted && index < leading;
-    if (way.depth < counted || is_as_short) best = *exit, counted = way.depth, leading = index;
+    // Where it leads past a border an exit may be shorter than the gap to its triangle: it counts
+    // as long as that, or which exit is the first to end the walk would depend on the tree.
+    narrowphase::Exit bounded = *exit;
+    if (bounded.depth < distance)
+      bounded.depth = std::max(bounded.depth, gap_of_sets(core, triangle).distance);
+    const bool is_as_short = bounded.depth == counted && index < leading;
+    if (bounded.depth < counted || is_as_short)
+      best = *exit, counted = bounded.depth, leading = index;
     return bvh::Walk::Continue;
   });
   TriangleCandidates found(core, mesh_, candidates, work_);
@@ -200,7 +202,7 @@ void Enclosure::add(ContactCandidates& candidates) const {
                               if (exits.leads(index, triangle, best)) found.offer(index, triangle);
                               return bvh::Walk::Continue;
                             });
-    // Where the way leads past a border it may be shorter than the gap to the triangle.
+    // Where the exit leads past a border it may be shorter than the gap to the triangle.
     if (!found.has_touched()) found.offer(leading, descent.triangle(leading));
   } else {
     found.offer(nearest, descent.triangle(nearest));

@@ -1,4 +1,4 @@
-#include "tests/engine/histories/ways.h"
+#include "tests/engine/histories/swept_contacts.h"
 
 #include <graze/bvh/error.h>
 #include <graze/engine/world/rigid/sliding_contact.h>
@@ -24,7 +24,7 @@ constexpr RigidContact kUnknown{
 constexpr double kRoom = 0.01;
 
 /// No point of a shape in this box ever goes farther, metres: a shift, and an arc about an axis.
-double longest_way(const RigidMotion& motion, const Aabb& box) {
+double longest_travel(const RigidMotion& motion, const Aabb& box) {
   if (motion.angle() == 0) return motion.shift().norm();
   const Vector3d farthest =
       (box.max - motion.centre()).cwiseAbs().cwiseMax((box.min - motion.centre()).cwiseAbs());
@@ -35,14 +35,14 @@ double widest_gap(const Aabb& s, const Aabb& t) {
   return std::max((s.min - t.max).maxCoeff(), (t.min - s.max).maxCoeff());
 }
 
-/// A body and the way it went since the last update; none where that cannot be computed.
-struct BodyOnItsWay {
+/// A body and its motion since the last update; none where that cannot be computed.
+struct MovedBody {
   std::uint32_t name;
   const Oracle::Being& being;
   std::optional<RigidMotion> motion;
 };
 
-BodyOnItsWay on_its_way(std::uint32_t name, const Oracle::Being& being) {
+MovedBody in_motion(std::uint32_t name, const Oracle::Being& being) {
   try {
     return {name, being, RigidMotion::between(being.before.value_or(being.pose), being.pose)};
   } catch (const PoseError&) {
@@ -56,9 +56,9 @@ bool is_swept(const Oracle::Being& being) {
 
 /// Where two meet that are as near as they come.
 void add_meeting(const PlacedShapeView& a, const PlacedShapeView& b, BodyFirstContact& contact) {
-  const ShapeDistance way = distance(a, b);
-  if (way.distance > 0) {
-    contact.normal = way.normal, contact.point = way.point_a / 2 + way.point_b / 2;
+  const ShapeDistance gap = distance(a, b);
+  if (gap.distance > 0) {
+    contact.normal = gap.normal, contact.point = gap.point_a / 2 + gap.point_b / 2;
     return;
   }
   if (is_endless(a.shape) && is_endless(b.shape)) return;
@@ -72,7 +72,7 @@ void add_meeting(const PlacedShapeView& a, const PlacedShapeView& b, BodyFirstCo
 
 class FirstContactsOfPair {
  public:
-  FirstContactsOfPair(const Oracle& oracle, const BodyOnItsWay& a, const BodyOnItsWay& b,
+  FirstContactsOfPair(const Oracle& oracle, const MovedBody& a, const MovedBody& b,
                       const WorldSettings& settings, std::vector<NamedFirstContact>& to)
       : oracle_(oracle), a_(a), b_(b), settings_(settings), to_(to) {}
 
@@ -90,9 +90,9 @@ class FirstContactsOfPair {
   }
 
  private:
-  ShapeOnWay on_way(const BodyOnItsWay& body, const Piece& piece) const {
+  MovedShape in_motion(const MovedBody& body, const Piece& piece) const {
     return {oracle_.palette()[piece.shape],
-            body.being.parts ? way_of_part(*body.motion, piece.pose) : *body.motion};
+            body.being.parts ? motion_of_part(*body.motion, piece.pose) : *body.motion};
   }
 
   BodyFirstContact& add(const RigidContact& contact, std::uint32_t part_a, std::uint32_t part_b) {
@@ -108,8 +108,8 @@ class FirstContactsOfPair {
   }
 
   void add_of(const Piece& s, const Piece& t) {
-    const ShapeOnWay a = on_way(a_, s), b = on_way(b_, t);
-    const auto met = contact_on_way(a, b, settings_.sweeps);
+    const MovedShape a = in_motion(a_, s), b = in_motion(b_, t);
+    const auto met = contact_in_motion(a, b, settings_.sweeps);
     if (met && met->status == RigidStatus::Free) return;
     BodyFirstContact& found = add(met.value_or(kUnknown), s.number, t.number);
     const double low = found.contact.low;
@@ -127,21 +127,21 @@ class FirstContactsOfPair {
   }
 
   const Oracle& oracle_;
-  const BodyOnItsWay& a_;
-  const BodyOnItsWay& b_;
+  const MovedBody& a_;
+  const MovedBody& b_;
   const WorldSettings& settings_;
   std::vector<NamedFirstContact>& to_;
 };
 
 }  // namespace
 
-std::optional<RigidContact> contact_on_way(const ShapeOnWay& a, const ShapeOnWay& b,
-                                           const RigidContactSettings& settings) {
+std::optional<RigidContact> contact_in_motion(const MovedShape& a, const MovedShape& b,
+                                              const RigidContactSettings& settings) {
   if (!is_endless(a.shape) && !is_endless(b.shape)) {
     const Aabb box_a = bounding_aabb({a.shape, a.motion.start()});
     const Aabb box_b = bounding_aabb({b.shape, b.motion.start()});
-    const double ways = longest_way(a.motion, box_a) + longest_way(b.motion, box_b);
-    if (widest_gap(box_a, box_b) > (ways + settings.clearance) * 1.001 + kRoom)
+    const double travel = longest_travel(a.motion, box_a) + longest_travel(b.motion, box_b);
+    if (widest_gap(box_a, box_b) > (travel + settings.clearance) * 1.001 + kRoom)
       return RigidContact{RigidStatus::Free, 1, 1, false};
   }
   try {
@@ -154,7 +154,7 @@ std::optional<RigidContact> contact_on_way(const ShapeOnWay& a, const ShapeOnWay
 }
 
 /// Of what does not turn any point goes straight; a part then counts as near its own place.
-RigidMotion way_of_part(const RigidMotion& body, const Pose& start) {
+RigidMotion motion_of_part(const RigidMotion& body, const Pose& start) {
   return RigidMotion(start, {.centre = body.angle() != 0 ? body.centre() : start.translation(),
                              .shift = body.shift(),
                              .axis = body.axis(),
@@ -173,10 +173,10 @@ void sort_by_name(std::vector<NamedFirstContact>& contacts) {
 
 bool are_equal(const NamedFirstContact& found, const NamedFirstContact& truth) {
   const BodyFirstContact &s = found.contact, &t = truth.contact;
-  const bool is_same_way =
+  const bool is_same_place =
       s.normal == t.normal || (truth.is_alike && s.normal == Vector3d(-t.normal));
   return found.pair == truth.pair && s.part_a == t.part_a && s.part_b == t.part_b &&
-         s.contact == t.contact && s.touches_at_start == t.touches_at_start && is_same_way &&
+         s.contact == t.contact && s.touches_at_start == t.touches_at_start && is_same_place &&
          s.point == t.point;
 }
 
@@ -190,12 +190,12 @@ std::string told(const NamedFirstContact& contact) {
 std::vector<NamedFirstContact> all_first_contacts(const Oracle& oracle,
                                                   const WorldSettings& settings) {
   std::vector<NamedFirstContact> all;
-  std::vector<BodyOnItsWay> bodies;
+  std::vector<MovedBody> bodies;
   for (const auto& [name, being] : oracle.beings())
-    bodies.push_back(on_its_way(name, being));
+    bodies.push_back(in_motion(name, being));
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     for (std::size_t j = i + 1; j < bodies.size(); ++j) {
-      const BodyOnItsWay &a = bodies[i], &b = bodies[j];
+      const MovedBody &a = bodies[i], &b = bodies[j];
       if (!is_swept(a.being) && !is_swept(b.being)) continue;
       if (oracle.may_meet({a.name, b.name}))
         FirstContactsOfPair(oracle, a, b, settings, all).add_all();

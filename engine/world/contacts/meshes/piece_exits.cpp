@@ -1,4 +1,4 @@
-#include <graze/engine/world/contacts/meshes/piece_ways.h>
+#include <graze/engine/world/contacts/meshes/piece_exits.h>
 
 #include <algorithm>
 #include <limits>
@@ -19,41 +19,42 @@ constexpr std::size_t kFew = 24;
 // where faces are divided.
 constexpr std::size_t kOfTwoEdges = 8;
 
-/// How much farther a part reaches outside than inside; nothing if that is too much: then what it
-/// leaves last in a direction is outside, and the way is one of another piece, or leads round a
-/// body that goes on. Law 15's depths are to a twentieth: a shallow way that what is outside makes
+/// How much farther a part extends outside than inside; nothing if that is too much: then what it
+/// leaves last in a direction is outside, and the exit is one of another piece, or leads round a
+/// body that goes on. Law 15's depths are to a twentieth: a shallow exit that what is outside makes
 /// longer by less is this piece's. Where an edge leaves an edge both of its ends are equally far,
-/// but for what the search for the way lacks.
-std::optional<double> outer_reach(const InnerPart& part, const Vec3& direction, double depth) {
+/// but for what the search for the exit lacks.
+std::optional<double> outer_extent(const InnerPart& part, const Vec3& direction, double depth) {
   constexpr double kSame = 1e-6, kShallow = 1e-4;
   const std::size_t farthest = part.farthest(direction);
   if (!part.is_outer[farthest]) return 0;
   const double all = dot(part.points[farthest], direction);
   const double least =
       all - std::max(kSame * part.radius, std::min(0.05 * depth, kShallow * part.radius));
-  std::optional<double> reach;
+  std::optional<double> extent;
   for (std::size_t i = 0; (i = part.next_beyond(direction, least, i)) < part.points.size(); ++i) {
     if (part.is_outer[i]) continue;
     const double lacking = all - dot(part.points[i], direction);
-    if (!reach || lacking < *reach) reach = lacking;
+    if (!extent || lacking < *extent) extent = lacking;
   }
-  return reach;
+  return extent;
 }
 
-double depth_of(const PieceWay& way) {
-  return way.is_found ? way.touched.parting.exit.depth : std::numeric_limits<double>::infinity();
+double depth_of(const PieceExit& piece_exit) {
+  return piece_exit.is_found ? piece_exit.touched.parting.exit.depth
+                             : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace
 
-void PieceWays::start(MeshPieces& pieces, FacingFeatures& features_a, FacingFeatures& features_b) {
+void PieceExits::start(MeshPieces& pieces, FacingFeatures& features_a, FacingFeatures& features_b) {
   pieces_ = &pieces, features_a_ = &features_a, features_b_ = &features_b;
   larger_ = pieces.larger();
   piece_ = kNoPiece;
   is_left_whole_.assign(pieces.count(), false);
 }
 
-void PieceWays::enter(std::uint32_t piece) {
+void PieceExits::enter(std::uint32_t piece) {
   if (piece_ == piece) return;
   piece_ = piece;
   looked_.clear(), order_.clear();
@@ -68,30 +69,30 @@ void PieceWays::enter(std::uint32_t piece) {
   if (is_wrapped_) facets_.start(crossings, surface(true), surface(false));
 }
 
-/// What the length of a face's way counts for: less if it is the larger mesh's, or of equal ones
+/// What the length of a face's exit counts for: less if it is the larger mesh's, or of equal ones
 /// that from which the normal leads upward, wherever that is: which of the two is called A may
 /// change with each step.
-double PieceWays::face_share(const Vec3& from_a_to_b, bool is_of_a) const {
+double PieceExits::face_share(const Vec3& from_a_to_b, bool is_of_a) const {
   double for_a = larger_ != 0 ? larger_ : dot(from_a_to_b, {1, 2, 4});
   if (for_a == 0) for_a = from_a_to_b.x != 0 ? from_a_to_b.x : from_a_to_b.y;
   return (for_a > 0) == is_of_a ? kFaceShare * kPreferredShare : kFaceShare;
 }
 
-double PieceWays::rank_of(const PieceWay& way) const {
-  if (!way.is_found) return std::numeric_limits<double>::infinity();
-  const LocalParting& parting = way.touched.parting;
+double PieceExits::rank_of(const PieceExit& piece_exit) const {
+  if (!piece_exit.is_found) return std::numeric_limits<double>::infinity();
+  const LocalParting& parting = piece_exit.touched.parting;
   if (parting.feature != LeftFeature::Face) return parting.exit.depth;
-  return parting.exit.depth * face_share(-parting.exit.direction, way.is_of_a);
+  return parting.exit.depth * face_share(-parting.exit.direction, piece_exit.is_of_a);
 }
 
-/// Longer than this no way off a triangle ranks before another.
-double PieceWays::limit_for(const Looked& looked, const PieceWay& best) const {
-  const bool is_of_a = looked.way.is_of_a;
+/// Longer than this no exit off a triangle ranks before another.
+double PieceExits::limit_for(const Looked& looked, const PieceExit& best) const {
+  const bool is_of_a = looked.exit.is_of_a;
   return rank_of(best) / face_share(is_of_a ? looked.normal : -looked.normal, is_of_a);
 }
 
 /// Makes the local part of a triangle of a mesh that wraps around; false if it has none.
-bool PieceWays::start_local(std::uint32_t triangle, bool is_of_a) {
+bool PieceExits::start_local(std::uint32_t triangle, bool is_of_a) {
   if (!is_wrapped_ || facets_.index().on_triangle(triangle, is_of_a).empty()) return false;
   local_.start(surface(!is_of_a), facets_.index(), piece_, triangle,
                is_of_a ? InnerSide::OfB : InnerSide::OfA, facets_.facets().back().bound);
@@ -103,54 +104,54 @@ static std::uint64_t key_of(std::uint32_t triangle, bool is_of_a) {
   return (std::uint64_t{triangle} << 1 | is_of_a) << 32;
 }
 
-bool PieceWays::is_looked_at(std::uint32_t triangle, bool is_of_a) const {
+bool PieceExits::is_looked_at(std::uint32_t triangle, bool is_of_a) const {
   const std::uint64_t key = key_of(triangle, is_of_a);
   const auto at = std::lower_bound(order_.begin(), order_.end(), key);
   return at != order_.end() && *at >> 32 == key >> 32;
 }
 
-PieceWays::Looked& PieceWays::look_at(std::uint32_t triangle, bool is_of_a) {
+PieceExits::Looked& PieceExits::look_at(std::uint32_t triangle, bool is_of_a) {
   const std::uint64_t key = key_of(triangle, is_of_a);
   const auto at = std::lower_bound(order_.begin(), order_.end(), key);
   if (at != order_.end() && *at >> 32 == key >> 32) return looked_[static_cast<std::uint32_t>(*at)];
   order_.insert(at, key | looked_.size());
   surface(is_of_a).note_neighbours(triangle);
   Looked& looked = looked_.emplace_back();
-  looked.way.is_of_a = is_of_a;
-  Core& core = looked.way.touched.triangle;
+  looked.exit.is_of_a = is_of_a;
+  Core& core = looked.exit.touched.triangle;
   core = features(is_of_a).placed_triangle(triangle);
-  looked.way.touched.parting.triangle = triangle;
+  looked.exit.touched.parting.triangle = triangle;
   looked.is_known = FacingFeatures::is_sliver(core);
   if (looked.is_known) return looked;
   looked.normal = LocalPartings::normal_of(core);
   find_below(limit_for(looked, best_), looked);
   if (!looked.is_known) return looked;
-  if (depth_of(looked.way) < depth_of(best_of_any_)) best_of_any_ = looked.way;
-  if (looked.way.is_local && rank_of(looked.way) < rank_of(best_)) best_ = looked.way;
+  if (depth_of(looked.exit) < depth_of(best_of_any_)) best_of_any_ = looked.exit;
+  if (looked.exit.is_local && rank_of(looked.exit) < rank_of(best_)) best_ = looked.exit;
   return looked;
 }
 
 /// Finds out how a triangle is left if that may be by less than the limit.
-void PieceWays::find_below(double limit, Looked& looked) {
+void PieceExits::find_below(double limit, Looked& looked) {
   if (looked.is_known || looked.at_least >= limit) return;
   looked.is_close = false;
   find_below(limit, {.face_share = kFaceShare}, looked);
-  const PieceWay& way = looked.way;
-  if (!looked.is_close || !way.is_found || way.is_local ||
-      way.touched.parting.feature != LeftFeature::Face)
+  const PieceExit& piece_exit = looked.exit;
+  if (!looked.is_close || !piece_exit.is_found || piece_exit.is_local ||
+      piece_exit.touched.parting.feature != LeftFeature::Face)
     return;
-  // The face's way is another piece's: edges that are hardly shorter have their say. Where none of
+  // The face's exit is another piece's: edges that are hardly shorter have their say. Where none of
   // them lost by the share alone, what is left would be the same.
-  looked.is_known = looked.way.is_found = false;
+  looked.is_known = looked.exit.is_found = false;
   find_below(limit, {}, looked);
 }
 
-void PieceWays::find_below(double limit, const PartingSettings& settings, Looked& looked) {
-  const bool is_of_a = looked.way.is_of_a;
-  looked.way.is_partial = start_local(looked.way.touched.parting.triangle, is_of_a);
-  if (looked.way.is_partial) {
+void PieceExits::find_below(double limit, const PartingSettings& settings, Looked& looked) {
+  const bool is_of_a = looked.exit.is_of_a;
+  looked.exit.is_partial = start_local(looked.exit.touched.parting.triangle, is_of_a);
+  if (looked.exit.is_partial) {
     find_with(local_, limit, settings, looked);
-    if (looked.way.is_found) widen(looked.way, looked.normal);
+    if (looked.exit.is_found) widen(looked.exit, looked.normal);
     return;
   }
   InnerSurface& leaving = surface(!is_of_a);
@@ -166,40 +167,40 @@ void PieceWays::find_below(double limit, const PartingSettings& settings, Looked
 }
 
 /// What is about one triangle stands for all of the piece if nothing of that is deeper, and if the
-/// surface is flat where it faces that way at all: a facet of a round one does not.
-void PieceWays::widen(PieceWay& way, const Vec3& normal) {
+/// surface is flat where it faces that direction at all: a facet of a round one does not.
+void PieceExits::widen(PieceExit& piece_exit, const Vec3& normal) {
   constexpr double kAsDeep = 0.05;     // law 15's depths are to a twentieth
   constexpr double kFacesSoToo = 0.9;  // a cosine
-  Exit& exit = way.touched.parting.exit;
-  const Vec3 out = way.is_of_a ? exit.direction : -exit.direction;
+  Exit& exit = piece_exit.touched.parting.exit;
+  const Vec3 out = piece_exit.is_of_a ? exit.direction : -exit.direction;
   const InnerPart& about = local_.part();
-  const InnerPart& whole = surface(!way.is_of_a).part(piece_);
+  const InnerPart& whole = surface(!piece_exit.is_of_a).part(piece_);
   const double deeper =
       dot(whole.points[whole.farthest(out)], out) - dot(about.points[about.farthest(out)], out);
   if (deeper > kAsDeep * exit.depth) return;
   for (const MeshCrossing& crossing : facets_.index().crossings()) {
-    const Vec3& other = way.is_of_a ? crossing.normal_a : crossing.normal_b;
+    const Vec3& other = piece_exit.is_of_a ? crossing.normal_a : crossing.normal_b;
     if (dot(other, normal) > kFacesSoToo && !is_one_direction(other, normal)) return;
   }
   exit.depth += std::max(deeper, 0.0);
-  way.is_partial = false;
+  piece_exit.is_partial = false;
 }
 
-/// The part grows in the direction of the way that was found until it reaches no farther: then that
-/// is one for all that hangs together with the part.
+/// The part grows in the direction of the exit that was found until it reaches no farther: then
+/// that is one for all that hangs together with the part.
 template <typename Part>
-void PieceWays::find_with(Part&& leaving, double limit, const PartingSettings& settings,
-                          Looked& looked) {
-  PieceWay& way = looked.way;
-  LocalParting& parting = way.touched.parting;
+void PieceExits::find_with(Part&& leaving, double limit, const PartingSettings& settings,
+                           Looked& looked) {
+  PieceExit& piece_exit = looked.exit;
+  LocalParting& parting = piece_exit.touched.parting;
   const InnerPart& part = leaving.part();
   leaving.grow(-looked.normal);
   for (std::size_t points = 0; points != part.points.size() && !leaving.goes_on();) {
     points = part.points.size();
     const Core body = part.core();
     const std::optional<LocalParting> found =
-        LocalPartings(body, features(way.is_of_a), settings)
-            .below(limit, parting.triangle, way.touched.triangle, looked.normal,
+        LocalPartings(body, features(piece_exit.is_of_a), settings)
+            .below(limit, parting.triangle, piece_exit.touched.triangle, looked.normal,
                    part.at + part.points[part.farthest(-looked.normal)]);
     if (!found) {
       looked.at_least = limit;
@@ -214,19 +215,19 @@ void PieceWays::find_with(Part&& leaving, double limit, const PartingSettings& s
   if (leaving.goes_on()) return;
   Exit& exit = parting.exit;
   exit.depth = std::max(exit.depth, 0.0);
-  way.is_found = true;
-  const std::optional<double> outer = outer_reach(part, -exit.direction, exit.depth);
-  way.is_local = outer.has_value();
+  piece_exit.is_found = true;
+  const std::optional<double> outer = outer_extent(part, -exit.direction, exit.depth);
+  piece_exit.is_local = outer.has_value();
   // What is outside is beside the triangle's mesh, and need not be lifted out.
-  way.beyond = way.is_partial ? 0 : std::min(outer.value_or(0), exit.depth);
-  exit.depth -= way.beyond;
-  if (way.is_of_a) exit.direction = -exit.direction;
+  piece_exit.beyond = piece_exit.is_partial ? 0 : std::min(outer.value_or(0), exit.depth);
+  exit.depth -= piece_exit.beyond;
+  if (piece_exit.is_of_a) exit.direction = -exit.direction;
 }
 
-PieceWay PieceWays::shortest(std::uint32_t piece) {
+PieceExit PieceExits::shortest(std::uint32_t piece) {
   enter(piece);
   if (is_wrapped_) {
-    const PieceWay best = shortest_facet(nullptr);
+    const PieceExit best = shortest_facet(nullptr);
     if (best.is_found) return best;
     is_left_whole_[piece] = true, piece_ = kNoPiece;
     enter(piece);
@@ -249,22 +250,22 @@ PieceWay PieceWays::shortest(std::uint32_t piece) {
   return best_.is_found ? best_ : best_of_any_;
 }
 
-/// From a way on, or from the best so far if it is zero.
-void PieceWays::descend(std::uint32_t piece, Vec3 way) {
+/// From a direction on, or from the best so far if it is zero.
+void PieceExits::descend(std::uint32_t piece, Vec3 direction) {
   constexpr int kMostSteps = 8;
   for (int step = 0; step < kMostSteps; ++step) {
-    if (largest(way) == 0) way = best_.touched.parting.exit.direction;
-    if (largest(way) == 0) return;
+    if (largest(direction) == 0) direction = best_.touched.parting.exit.direction;
+    if (largest(direction) == 0) return;
     const double before = rank_of(best_);
-    look_about(piece, -way, true);
-    look_about(piece, way, false);
+    look_about(piece, -direction, true);
+    look_about(piece, direction, false);
     if (!(rank_of(best_) < before)) return;
-    way = {};
+    direction = {};
   }
 }
 
 /// Looks at the triangles about the point of a mesh that is farthest in a direction.
-void PieceWays::look_about(std::uint32_t piece, const Vec3& direction, bool is_of_a) {
+void PieceExits::look_about(std::uint32_t piece, const Vec3& direction, bool is_of_a) {
   InnerSurface& own = surface(is_of_a);
   const std::size_t at = own.grow(piece, direction);
   const std::uint32_t vertex = own.part(piece).vertex[at];
@@ -278,8 +279,8 @@ void PieceWays::look_about(std::uint32_t piece, const Vec3& direction, bool is_o
 }
 
 /// Of the triangles that cross and have not been looked at, the one that seems to be left soonest
-/// along its own normal. False if none seems to be left sooner than by the best way so far.
-bool PieceWays::look_at_best_face(std::uint32_t piece) {
+/// along its own normal. False if none seems to be left sooner than by the best exit so far.
+bool PieceExits::look_at_best_face(std::uint32_t piece) {
   double least = rank_of(best_);
   bool is_found = false;
   std::uint32_t best = 0;
@@ -306,76 +307,76 @@ bool PieceWays::look_at_best_face(std::uint32_t piece) {
   return is_found;
 }
 
-PieceWay PieceWays::shortest_of(std::uint32_t piece, std::span<const TrianglePair> pairs,
-                                const Clearance& clearance) {
+PieceExit PieceExits::shortest_of(std::uint32_t piece, std::span<const TrianglePair> pairs,
+                                  const Clearance& clearance) {
   enter(piece);
   if (is_wrapped_) {
     facets_.leave(pairs);
     return shortest_facet(&clearance);
   }
-  PieceWay best;
+  PieceExit best;
   for (const TrianglePair& pair : pairs) {
     for (const bool is_of_a : {true, false}) {
       Looked& looked = look_at(is_of_a ? pair.a : pair.b, is_of_a);
       find_below(limit_for(looked, best), looked);
-      const PieceWay& way = looked.way;
-      if (way.is_local && rank_of(way) < rank_of(best) &&
-          !clearance.satisfies(way.touched.parting.exit))
-        best = way;
+      const PieceExit& piece_exit = looked.exit;
+      if (piece_exit.is_local && rank_of(piece_exit) < rank_of(best) &&
+          !clearance.satisfies(piece_exit.touched.parting.exit))
+        best = piece_exit;
     }
   }
   return best;
 }
 
-/// The shortest way of a facet that is still met, in the order of their bounds. A pair is parted,
-/// too, where a clearance satisfies the way of one of its triangles but for a twentieth (law 15):
+/// The shortest exit of a facet that is still met, in the order of their bounds. A pair is parted,
+/// too, where a clearance satisfies the exit of one of its triangles but for a twentieth (law 15):
 /// facets of a round surface differ by less.
-PieceWay PieceWays::shortest_facet(const Clearance* clearance) {
-  PieceWay best;
+PieceExit PieceExits::shortest_facet(const Clearance* clearance) {
+  PieceExit best;
   double limit = std::numeric_limits<double>::infinity();  // for a bound
   const std::span<const PieceFacets::Facet> facets = facets_.facets();
   for (std::size_t n = 0; n < facets.size() && facets[n].bound < limit; ++n) {
     if (facets[n].pairs_left == 0) continue;
     Looked& looked = look_at(facets[n].triangle, facets[n].is_of_a);
     find_below(limit_for(looked, best), looked);
-    const PieceWay& way = looked.way;
-    if (!looked.is_known || !way.is_local) continue;
-    Exit enough = way.touched.parting.exit;
+    const PieceExit& piece_exit = looked.exit;
+    if (!looked.is_known || !piece_exit.is_local) continue;
+    Exit enough = piece_exit.touched.parting.exit;
     enough.depth *= kEnoughOfFacet;
     if (clearance != nullptr && clearance->satisfies(enough)) {
       facets_.part(n);
-    } else if (rank_of(way) < rank_of(best)) {
-      best = way;
+    } else if (rank_of(piece_exit) < rank_of(best)) {
+      best = piece_exit;
       limit = rank_of(best) / (kFaceShare * kPreferredShare);
     }
   }
   return best;
 }
 
-void PieceWays::add_contacts(std::uint32_t piece, const PieceWay& way,
-                             ContactCandidates& candidates) {
+void PieceExits::add_contacts(std::uint32_t piece, const PieceExit& piece_exit,
+                              ContactCandidates& candidates) {
   enter(piece);
   const std::span<const MeshCrossing> crossings = pieces_->crossings(piece);
   MeshRegion region{
-      .left = way.touched,
-      .is_of_a = way.is_of_a,
+      .left = piece_exit.touched,
+      .is_of_a = piece_exit.is_of_a,
       .crossings = crossings,
       .inner_a = &pieces_->inner_a(piece),
       .inner_b = &pieces_->inner_b(piece),
-      .is_scattered = way.is_partial || (is_wrapped_ && crossings.size() > kOfTwoEdges),
+      .is_scattered = piece_exit.is_partial || (is_wrapped_ && crossings.size() > kOfTwoEdges),
       .pose_a = pieces_->pose_a(),
       .pose_b = pieces_->pose_b()};
-  const std::uint32_t triangle = way.touched.parting.triangle;
+  const std::uint32_t triangle = piece_exit.touched.parting.triangle;
   static const InnerPart kNone;
-  if (way.is_partial && start_local(triangle, way.is_of_a)) {
-    const Vec3& direction = way.touched.parting.exit.direction;
-    local_.grow(way.is_of_a ? direction : -direction);
+  if (piece_exit.is_partial && start_local(triangle, piece_exit.is_of_a)) {
+    const Vec3& direction = piece_exit.touched.parting.exit.direction;
+    local_.grow(piece_exit.is_of_a ? direction : -direction);
     on_face_.clear();
-    for (const std::uint32_t i : facets_.index().on_triangle(triangle, way.is_of_a))
+    for (const std::uint32_t i : facets_.index().on_triangle(triangle, piece_exit.is_of_a))
       on_face_.push_back(facets_.index().crossings()[i]);
     region.crossings = on_face_;
-    region.inner_a = way.is_of_a ? &kNone : &local_.part();
-    region.inner_b = way.is_of_a ? &local_.part() : &kNone;
+    region.inner_a = piece_exit.is_of_a ? &kNone : &local_.part();
+    region.inner_b = piece_exit.is_of_a ? &local_.part() : &kNone;
   }
   add_region_points(region, candidates);
 }

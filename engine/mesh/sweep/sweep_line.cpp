@@ -1,4 +1,4 @@
-#include <graze/engine/mesh/sweep/swept_way.h>
+#include <graze/engine/mesh/sweep/sweep_line.h>
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 
 namespace graze {
 
-SweptWay::SweptWay(const Eigen::Vector3d& displacement, const contacts::SweepUnits& units) {
+SweepLine::SweepLine(const Eigen::Vector3d& displacement, const contacts::SweepUnits& units) {
   const double* d = displacement.data();
   const double largest = std::max(std::abs(d[0]), std::max(std::abs(d[1]), std::abs(d[2])));
   if (largest == 0) return;
@@ -16,7 +16,7 @@ SweptWay::SweptWay(const Eigen::Vector3d& displacement, const contacts::SweepUni
   exponent = own - std::ilogb(units.metres);
 }
 
-double SweptWay::at(double time) const {
+double SweepLine::at(double time) const {
   if (time == 0) return 0;
   return std::nextafter(std::ldexp(time, exponent), std::numeric_limits<double>::infinity());
 }

@@ -8,8 +8,8 @@ namespace graze {
 /// size, scaled by a power of two, so that the translation at a time is s d for s = t 2^exponent in
 /// units of the sweep. A component that underflows is off by less than 2^-1074, while s is below 7:
 /// the margins cover that.
-struct SweptWay {
-  SweptWay(const Eigen::Vector3d& displacement, const contacts::SweepUnits& units);
+struct SweepLine {
+  SweepLine(const Eigen::Vector3d& displacement, const contacts::SweepUnits& units);
 
   double direction[3] = {0, 0, 0};
   int exponent = 0;
