@@ -1,5 +1,6 @@
 #include <graze/bvh/error.h>
 #include <graze/bvh/floating_point/standard_arithmetic.h>
+#include <graze/bvh/value/number_text.h>
 #include <graze/engine/world/contact_tracker.h>
 
 #include <algorithm>
@@ -109,8 +110,8 @@ bool go_on_in_order(std::span<const TrackedContact> old, std::span<TrackedContac
 
 void check_settings(const ContactTrackerSettings& settings) {
   if (std::isfinite(settings.same_place) && settings.same_place >= 0) return;
-  throw InputError("ContactTracker: same_place is " + std::to_string(settings.same_place) +
-                   ", and not a finite share of a size");
+  throw InputError("ContactTracker: same_place is " + bvh::number_text(settings.same_place) +
+                   ", but must be finite and not negative");
 }
 
 }  // namespace

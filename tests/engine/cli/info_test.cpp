@@ -142,10 +142,12 @@ TEST_F(CliInfo, CountsWhatIsDegenerateAndDuplicate) {
 }
 
 TEST_F(CliInfo, SelfCountsIntersections) {
-  EXPECT_EQ(Json::parse(graze({"info", "--json", "--self", "box.off"}).out)["self_intersections"], 0);
+  EXPECT_EQ(Json::parse(graze({"info", "--json", "--self", "box.off"}).out)["self_intersections"],
+            0);
   write("cross.off",
         "OFF\n6 2 0\n-1 -1 0\n1 -1 0\n0 1 0\n0 0 -1\n0 0 1\n0 -3 0\n3 0 1 2\n3 3 4 5\n");
-  EXPECT_EQ(Json::parse(graze({"info", "--json", "--self", "cross.off"}).out)["self_intersections"], 1);
+  EXPECT_EQ(Json::parse(graze({"info", "--json", "--self", "cross.off"}).out)["self_intersections"],
+            1);
 }
 
 TEST_F(CliInfo, CheckSaysWhatIsWrongAndWhere) {
