@@ -31,7 +31,8 @@ struct ContactTrackerSettings {
 /// moved less; then by their features. What an update does not list stays as it is.
 ///
 /// It is for one world. Not for use by several threads at once. Time: of each contact listed a hash
-/// lookup, and the square of the number of contacts in its manifold; memory: 200 bytes a contact.
+/// lookup, and the square of the number of contacts in its manifold; memory: some 100 bytes a
+/// contact and 400 a pair.
 class ContactTracker {
  public:
   /// Throws InputError for settings that are none.

@@ -11,8 +11,8 @@ namespace {
 TEST(Rounding, StepsOutwardAroundEveryDouble) {
   std::mt19937_64 random(1);
   for (int i = 0; i < 100000; ++i) {
-    const double value = std::ldexp(static_cast<double>(static_cast<std::int64_t>(random())),
-                                    static_cast<int>(random() % 180) - 210);
+    const auto digits = static_cast<double>(static_cast<std::int64_t>(random()));
+    const double value = std::ldexp(digits, static_cast<int>(random() % 180) - 210);
     ASSERT_LT(static_cast<double>(rounded_down(value)), value);
     ASSERT_GT(static_cast<double>(rounded_up(value)), value);
     ASSERT_LE(std::abs(rounded_up(value) - value), std::abs(value) * 0x1p-22 + 0x1p-148);

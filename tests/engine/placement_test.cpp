@@ -155,12 +155,12 @@ TEST(RelativeFrame, ReversedIsTheOtherWayRound) {
       const double w = uniform(random), x = uniform(random), y = uniform(random);
       Pose result = Pose::Identity();
       result.linear() = Eigen::Quaterniond(w, x, y, 1).normalized().toRotationMatrix();
-      result.translation() = Eigen::Vector3d(size(), -size(), size());
+      result.translation() = Eigen::Vector3d{size(), -size(), size()};
       return result;
     };
     const auto box = [&] {
-      const Eigen::Vector3d low(-size(), size(), -size());
-      return Aabb{low, low + Eigen::Vector3d(size(), size(), size())};
+      const Eigen::Vector3d low{-size(), size(), -size()};
+      return Aabb{low, low + Eigen::Vector3d{size(), size(), size()}};
     };
     const Pose pose_a = pose(), pose_b = pose();
     const Aabb box_a = box(), box_b = box();

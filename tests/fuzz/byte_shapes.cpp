@@ -40,7 +40,8 @@ double ByteShapes::coordinate() {
   } else if (choice % 4 == 2) {
     value = any_double();
   } else if (choice % 4 == 3) {
-    value = std::ldexp(value + byte() / 256.0, byte() % 64 - 32);
+    value += byte() / 256.0;
+    value = std::ldexp(value, byte() % 64 - 32);
   }
   coordinates_.push_back(value);
   return value;

@@ -83,7 +83,8 @@ TEST(Law6, GenericPairsAreDecidedWithoutExactArithmetic) {
   RandomSource source(6);
   for (int n = 0; n < 20000; ++n) {
     const auto point = [&] { return source.vector(-1, 1); };
-    ASSERT_NE(triage({point(), point(), point()}, {point(), point(), point()}), Verdict::Unsure);
+    const Triangle a{point(), point(), point()}, b{point(), point(), point()};
+    ASSERT_NE(triage(a, b), Verdict::Unsure);
   }
 }
 

@@ -64,8 +64,9 @@ bool may_turn(double cosine, double moved, double size) {
   constexpr double kFine = 1e-4;       // of the size: until there a degree is allowed
   constexpr double kMost = 30;         // degrees
   constexpr double kRounding = 1e-12;  // of a cosine of unit vectors; of that of a degree 2e-4
-  const double degrees = moved <= kFine * size ? 1 : std::min(moved / (kFine * size), kMost);
-  return cosine >= std::cos(degrees * kDegree) + kRounding;
+  static const double of_a_degree = std::cos(kDegree);
+  if (moved <= kFine * size) return cosine >= of_a_degree + kRounding;
+  return cosine >= std::cos(std::min(moved / (kFine * size), kMost) * kDegree) + kRounding;
 }
 
 /// Whether law 15, 4 lets `now` go on what `old` was.
@@ -80,10 +81,12 @@ bool may_go_on(const TrackedContact& old, const TrackedContact& now, const PairC
 /// so that what is allowed by them is allowed by the law.
 double farthest_moved(std::span<const TrackedContact> contacts, const Pose& before, const Pose& now,
                       Eigen::Vector3d TrackedContact::*point) {
-  if (before.matrix() == now.matrix()) return 0;  // as of what is fixed
+  const Eigen::Matrix3d turn = now.linear() - before.linear();
+  const Eigen::Vector3d shift = now.translation() - before.translation();
+  if (turn.isZero(0) && shift.isZero(0)) return 0;  // as of what is fixed
   double most = 0;
   for (const TrackedContact& contact : contacts)
-    most = std::max(most, (now * (contact.*point) - before * (contact.*point)).squaredNorm());
+    most = std::max(most, (turn * (contact.*point) + shift).squaredNorm());
   return std::sqrt(most);
 }
 

@@ -49,9 +49,9 @@ std::function<std::vector<Pose>(int)> shaken(std::vector<Eigen::Vector3d> places
     std::uniform_real_distribution<double> off(-1, 1);
     std::vector<Pose> poses;
     for (const Eigen::Vector3d& at : places) {
-      const Eigen::Vector3d axis(off(random), off(random), off(random));
+      const Eigen::Vector3d axis{off(random), off(random), off(random)};
       Pose pose(Eigen::AngleAxisd(turn * off(random), axis.normalized()));
-      pose.translation() = at + way * Eigen::Vector3d(off(random), off(random), off(random));
+      pose.translation() = at + way * Eigen::Vector3d{off(random), off(random), off(random)};
       poses.push_back(pose);
     }
     return poses;

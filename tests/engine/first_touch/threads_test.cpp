@@ -165,7 +165,8 @@ TEST(FirstTouch, WhileTheMeshIsDeformed) {
   for (int round = 0; round < 10; ++round) {
     const Meshes shared = fresh();
     const std::vector<Eigen::Vector3d> elsewhere_a = bent(shared.a), elsewhere_b = bent(shared.b);
-    const Digest before = first_questions()[5].ask(fresh().a, fresh().b);
+    const Meshes still = fresh();
+    const Digest before = first_questions()[5].ask(still.a, still.b);
     at_the_same_moment([&](std::size_t i) {
       if (i % 2 == 0) {
         EXPECT_TRUE(first_questions()[5].ask(shared.a, shared.b) == before);

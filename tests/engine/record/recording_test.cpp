@@ -161,7 +161,7 @@ struct Shaken {
     std::uniform_real_distribution<double> one(0, 1), off(-0.02, 0.02);
     for (std::size_t i = 0; i < bodies.size(); ++i) {
       if (one(random) >= share) continue;
-      const Vector3d place = homes[i] + Vector3d(off(random), off(random), off(random));
+      const Vector3d place = homes[i] + Vector3d{off(random), off(random), off(random)};
       world.move(bodies[i], at(place.x(), place.y(), place.z()));
     }
   }

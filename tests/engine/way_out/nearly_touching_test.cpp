@@ -37,7 +37,7 @@ TEST(WayOut, WhatTouchesByAToleranceAloneHasContacts) {
     // On a face, an edge or a corner.
     const auto place = [&] { return source.integer(0, 2) == 0 ? 1.0 : source.uniform(-1, 1); };
     const double gap = std::pow(10.0, source.uniform(-16, -10));
-    const Pose pose = above(shape, Vector3d(place(), place(), 1), gap, source);
+    const Pose pose = above(shape, Vector3d{place(), place(), 1}, gap, source);
     const bool is_hit = intersects({shape, pose}, {ground, Pose::Identity()});
     const Manifold found = find_contacts({shape, pose}, {ground, Pose::Identity()});
     ASSERT_EQ(found.empty(), !is_hit) << name_of(kind) << ' ' << size << ' ' << gap;

@@ -32,10 +32,12 @@ TEST(Law9NearestVertices, AnswerAsTheDistanceDoes) {
       return q + 0.4 * way + 0.5 * scale * source.vector(-1, 1);
     };
     const auto a = [&] {
-      return triangle_with(p, around_p(), around_p(), static_cast<int>(source.integer(0, 2)));
+      const Eigen::Vector3d second = around_p(), third = around_p();
+      return triangle_with(p, second, third, static_cast<int>(source.integer(0, 2)));
     };
     const auto b = [&] {
-      return triangle_with(q, around_q(), around_q(), static_cast<int>(source.integer(0, 2)));
+      const Eigen::Vector3d second = around_q(), third = around_q();
+      return triangle_with(q, second, third, static_cast<int>(source.integer(0, 2)));
     };
     NearestVertices vertices;
     vertices.set(decide_distance(a(), b()).result);
