@@ -39,7 +39,7 @@ double motion_bound(const Pose& from, const Pose& to, double bounding_radius) {
 // A body that turns the short way, by an angle of at most pi, has turned by chords that grow to the
 // last, which the Frobenius norm is no less than. at(1) differs from `to` by what between() says,
 // and poses between by what they round.
-double way_bound(const Pose& from, const Pose& to, double bounding_radius) {
+double travel_bound(const Pose& from, const Pose& to, double bounding_radius) {
   if (bounding_radius == kInfinity) return kInfinity;
   const double lengths =
       sum_of_sizes(from.data() + 12) + sum_of_sizes(to.data() + 12) + bounding_radius;

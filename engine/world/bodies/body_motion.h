@@ -14,8 +14,8 @@ namespace graze {
 /// metres, from where it was, each placed as rounding leaves it. Infinite for an infinite radius.
 double motion_bound(const Pose& from, const Pose& to, double bounding_radius);
 
-/// Likewise from where it is on the way between the two, RigidMotion::between(), to its end.
-double way_bound(const Pose& from, const Pose& to, double bounding_radius);
+/// Likewise from anywhere along RigidMotion::between() to its end.
+double travel_bound(const Pose& from, const Pose& to, double bounding_radius);
 
 /// The sum of all motions of a body, rounded up.
 double longer_path(double path, double motion);

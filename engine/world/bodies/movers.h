@@ -15,9 +15,9 @@ namespace graze {
 /// A body that moved.
 struct Mover {
   std::uint32_t body;
-  Pose before;  ///< at the last update
-  double way;   ///< metres: on its way no point is further from where it is now
-  std::optional<RigidMotion> motion = {};  ///< its way, if that is not RigidMotion::between()
+  Pose before;    ///< at the last update
+  double travel;  ///< metres: since then no point was further from where it is now
+  std::optional<RigidMotion> motion = {};  ///< how it came, if that is not RigidMotion::between()
   bool is_listed = false;                  ///< for the search for pairs
 };
 

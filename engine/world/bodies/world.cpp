@@ -254,7 +254,7 @@ void World::set_shape(BodyId id, std::shared_ptr<const BodyShape> shape) {
     state.make_room_for_changes(1);
     state.take_shape(id.index, std::move(shape), mesh);
     state.broad.move(state.broad.id(body.box), box);
-    if (state.movers.find(id.index) != nullptr) state.note_way(id.index, body.pose, radius);
+    if (state.movers.find(id.index) != nullptr) state.note_travel(id.index, body.pose, radius);
     body.is_awake = true;
     state.all.changes[id.index].has_other_shape = true;
     state.note_change(id.index);

@@ -23,7 +23,7 @@ struct CastQuery {
 };
 
 /// A body that the shape may come to, but not before a time.
-struct BodyOnTheWay {
+struct CastCandidate {
   std::uint32_t index;
   double first;
 };
@@ -71,7 +71,7 @@ std::optional<BodyCast> World::State::cast_at_parts(std::uint32_t index,
   std::optional<BodyCast> first;
   for_moving_part_pairs({*asked, cast.moving.motion, cast.query.filter},
                         {*body.shape, rest, body.filter}, cast.contact,
-                        [&](const PartOnWay& s, const PartOnWay& t) {
+                        [&](const MovingPart& s, const MovingPart& t) {
                           const RigidContact found = first_contact_of(s, t, cast.contact);
                           if (found.status == RigidStatus::Free) return;
                           const BodyCast next{all.id(index), found, t.placed.number};
@@ -81,31 +81,31 @@ std::optional<BodyCast> World::State::cast_at_parts(std::uint32_t index,
 }
 
 /// The bodies that the shape may come to, each with a time before which it is not there.
-std::vector<BodyOnTheWay> World::State::find_on_the_way(const CastQuery& cast) const {
+std::vector<CastCandidate> World::State::find_cast_candidates(const CastQuery& cast) const {
   const RigidContactSettings& contact = cast.contact;
   const double near = contact.clearance + contact.tolerance;
-  std::vector<BodyOnTheWay> found;
+  std::vector<CastCandidate> found;
   for (const std::uint32_t index : find_bodies(grown(swept_bounds(cast.moving), near), cast.query))
     found.push_back({index, 0});
   if (cast.moving.turned > 0 || cast.moving.is_endless()) return found;
   const Aabb start = bounding_aabb({cast.moving.shape, cast.moving.motion.start()});
-  for (BodyOnTheWay& body : found) {
+  for (CastCandidate& body : found) {
     const Aabb box = broad.box(broad.id(all.bodies[body.index].box));
     const NearTimes times =
         times_near(cast.moving, start, box, all.bodies[body.index].pose, contact);
     body.first = times.is_never() ? kNever : times.first;
   }
-  std::erase_if(found, [](const BodyOnTheWay& body) { return body.first == kNever; });
+  std::erase_if(found, [](const CastCandidate& body) { return body.first == kNever; });
   return found;
 }
 
 /// Nothing where it is free of the body.
-std::optional<BodyCast> World::State::cast_at(const BodyOnTheWay& on_the_way,
+std::optional<BodyCast> World::State::cast_at(const CastCandidate& candidate,
                                               const CastQuery& cast) const {
-  auto found = cast_at(on_the_way.index, cast);
+  auto found = cast_at(candidate.index, cast);
   // So that order is the same whoever is asked.
   if (found && found->contact.is_out_of_budget)
-    found->contact.low = std::max(found->contact.low, on_the_way.first);
+    found->contact.low = std::max(found->contact.low, candidate.first);
   return found;
 }
 
@@ -132,7 +132,7 @@ std::vector<BodyCast> World::cast_all(const Shape& shape, const RigidMotion& mot
   return bvh::in_standard_arithmetic([&]() -> std::vector<BodyCast> {
     const CastQuery query{{shape, motion, "cast"}, check_settings(contact), settings};
     std::vector<BodyCast> casts;
-    for (const BodyOnTheWay& body : state_->find_on_the_way(query)) {
+    for (const CastCandidate& body : state_->find_cast_candidates(query)) {
       if (const auto found = state_->cast_at(body, query)) casts.push_back(*found);
     }
     std::sort(casts.begin(), casts.end(), is_earlier);
@@ -145,13 +145,13 @@ std::optional<BodyCast> World::cast(const Shape& shape, const RigidMotion& motio
                                     const BodyQuerySettings& settings) const {
   return bvh::in_standard_arithmetic([&]() -> std::optional<BodyCast> {
     const CastQuery query{{shape, motion, "cast"}, check_settings(contact), settings};
-    std::vector<BodyOnTheWay> bodies = state_->find_on_the_way(query);
+    std::vector<CastCandidate> bodies = state_->find_cast_candidates(query);
     // Those that it may come to first can spare the others.
     std::stable_sort(
         bodies.begin(), bodies.end(),
-        [](const BodyOnTheWay& s, const BodyOnTheWay& t) { return s.first < t.first; });
+        [](const CastCandidate& s, const CastCandidate& t) { return s.first < t.first; });
     std::optional<BodyCast> first;
-    for (const BodyOnTheWay& body : bodies) {
+    for (const CastCandidate& body : bodies) {
       if (first && body.first > first->contact.low) break;
       const auto found = state_->cast_at(body, query);
       if (found && (!first || is_earlier(*found, *first))) first = found;

@@ -90,7 +90,7 @@ class JournalPlace {
   std::shared_ptr<WorldJournal> journal_;
 };
 
-/// The way to a world's journal.
+/// Access to a world's journal.
 struct WorldJournalAccess {
   /// Throws InputError while another journal is open, or changes wait for an update: unless it will
   /// be the first one, and no body was removed or moved on a way that is swept.

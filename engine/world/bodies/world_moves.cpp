@@ -36,7 +36,7 @@ void World::State::move_prepared(std::span<const BodyId> ids, std::span<const Po
     double& path = all.changes[ids[i].index].path;
     path = longer_path(path, motion_bound(mover.pose, poses[i], bounding_radii[i]));
     if (movers.are_noted()) {
-      note_way(ids[i].index, poses[i], bounding_radii[i]);
+      note_travel(ids[i].index, poses[i], bounding_radii[i]);
       movers.find(ids[i].index)->motion.reset();
     }
     mover.pose = poses[i];
@@ -45,10 +45,10 @@ void World::State::move_prepared(std::span<const BodyId> ids, std::span<const Po
   }
 }
 
-void World::State::note_way(std::uint32_t index, const Pose& to, double bounding_radius) {
+void World::State::note_travel(std::uint32_t index, const Pose& to, double bounding_radius) {
   Mover* mover = movers.find(index);
   if (mover == nullptr) mover = &movers.note(index, all.bodies[index].pose);
-  mover->way = way_bound(mover->before, to, bounding_radius);
+  mover->travel = travel_bound(mover->before, to, bounding_radius);
 }
 
 // Public functions do their work in in_standard_arithmetic(): it sees to it that the CPU rounds as

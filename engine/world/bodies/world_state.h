@@ -172,7 +172,7 @@ struct WorldSnapshot::State {
   std::vector<std::uint8_t> states;
 };
 
-/// The way to what a snapshot holds, for those who keep it elsewhere.
+/// Access to what a snapshot holds, for those who keep it elsewhere.
 struct WorldSnapshotAccess {
   using State = WorldSnapshot::State;
   static const State& state(const WorldSnapshot& snapshot) { return *snapshot.state_; }
@@ -207,9 +207,9 @@ struct PartnerSearch {
   std::vector<std::uint32_t> due;  ///< of these, without those that are apart for sure
 };
 
-struct CastQuery;     // what cast() asks
-struct BodyOnTheWay;  // and whom
-struct PosedBox;      // what find_closest() is asked about
+struct CastQuery;      // what cast() asks
+struct CastCandidate;  // and whom it may come to
+struct PosedBox;       // what find_closest() is asked about
 
 /// A body and a box around all places where it was since the last update.
 struct SweptBody {
@@ -294,7 +294,7 @@ struct World::State {
   void begin_move();
   void prepare_move(BodyId id, const Pose& pose, const char* what);
   void move_prepared(std::span<const BodyId> ids, std::span<const Pose> poses);
-  void note_way(std::uint32_t index, const Pose& to, double bounding_radius);
+  void note_travel(std::uint32_t index, const Pose& to, double bounding_radius);
   const Mesh* prepared_mesh(const BodyShape& shape, bool is_users) const;
   void take_shape(std::uint32_t index, std::shared_ptr<const BodyShape> shape, const Mesh* mesh);
   void drop_shape(std::uint32_t index);
@@ -307,8 +307,8 @@ struct World::State {
   void find_changes();
   void find_first_contacts();
   double list_swept();
-  void list_swept_pairs(double others_way);
-  void list_partners_of(std::uint32_t index, const Aabb& box, double others_way);
+  void list_swept_pairs(double others_travel);
+  void list_partners_of(std::uint32_t index, const Aabb& box, double others_travel);
   SweptAnswer ask_swept_pair(BoxPair pair) const;
   void ask_swept_pairs();
   void list_changes();
@@ -347,8 +347,8 @@ struct World::State {
   void for_nearest(const PosedBox& own, const BodyQuerySettings& query, double least,
                    const Ask& ask) const;
   PosedBody posed(std::uint32_t index) const;
-  std::vector<BodyOnTheWay> find_on_the_way(const CastQuery& cast) const;
-  std::optional<BodyCast> cast_at(const BodyOnTheWay& on_the_way, const CastQuery& cast) const;
+  std::vector<CastCandidate> find_cast_candidates(const CastQuery& cast) const;
+  std::optional<BodyCast> cast_at(const CastCandidate& candidate, const CastQuery& cast) const;
   std::optional<BodyCast> cast_at(std::uint32_t index, const CastQuery& cast) const;
   std::optional<BodyCast> cast_at_parts(std::uint32_t index, const CastQuery& cast) const;
   template <typename OnHit>

@@ -45,7 +45,7 @@ Meeting meeting_of(const PlacedShape& a, const PlacedShape& b) {
   return {deepest->normal, deepest->point};
 }
 
-/// A body and its way.
+/// A body and how it came from where it was at the last update.
 struct BodyInMotion {
   const Bodies::Body& body;
   std::optional<RigidMotion> motion;  ///< none if it cannot be computed
@@ -143,7 +143,7 @@ void add_of_parts(const BodyPair& pair, const BodyInMotion& a, const BodyInMotio
   try {
     for_moving_part_pairs(
         {*a.body.shape, *a.motion, a.body.filter}, {*b.body.shape, *b.motion, b.body.filter},
-        settings.sweeps, [&](const PartOnWay& s, const PartOnWay& t) {
+        settings.sweeps, [&](const MovingPart& s, const MovingPart& t) {
           add_first_contacts(pair, {*s.placed.shape, s.motion, s.placed.number},
                              {*t.placed.shape, t.motion, t.placed.number}, settings, add);
         });
@@ -163,8 +163,8 @@ void add_of_parts(const BodyPair& pair, const BodyInMotion& a, const BodyInMotio
 
 void World::State::find_first_contacts() {
   if (!movers.are_noted()) return;
-  const double others_way = list_swept();
-  list_swept_pairs(others_way);
+  const double others_travel = list_swept();
+  list_swept_pairs(others_travel);
   ask_swept_pairs();
 }
 
@@ -176,23 +176,23 @@ double World::State::list_swept() {
     const Bodies::Body& body = all.bodies[mover.body];
     return body.detection == Detection::Continuous && body.is_awake;
   };
-  double others_way = 0;
-  if (std::none_of(movers.list().begin(), movers.list().end(), is_swept)) return others_way;
+  double others_travel = 0;
+  if (std::none_of(movers.list().begin(), movers.list().end(), is_swept)) return others_travel;
   for (Mover& mover : movers.list()) {
     const Bodies::Body& body = all.bodies[mover.body];
-    mover.is_listed = is_swept(mover) || mover.way > width_of(broad.box(broad.id(body.box)));
+    mover.is_listed = is_swept(mover) || mover.travel > width_of(broad.box(broad.id(body.box)));
     if (mover.is_listed) {
       swept.push_back({mover.body, is_swept(mover), swept_box(in_motion(body, &mover))});
     } else {
-      others_way = std::max(others_way, mover.way);
+      others_travel = std::max(others_travel, mover.travel);
     }
   }
-  return others_way;
+  return others_travel;
 }
 
 /// Those that are listed among themselves, by sweep and prune, and the swept ones with all others,
 /// by the broad phase. A pair whose boxes overlap now has passed all filters, others are asked.
-void World::State::list_swept_pairs(double others_way) {
+void World::State::list_swept_pairs(double others_travel) {
   swept_pairs.clear();
   std::sort(swept.begin(), swept.end(), [](const SweptBody& s, const SweptBody& t) {
     return s.box.min.x() != t.box.min.x() ? s.box.min.x() < t.box.min.x() : s.body < t.body;
@@ -204,7 +204,7 @@ void World::State::list_swept_pairs(double others_way) {
       if ((s.is_swept || swept[j].is_swept) && intersects(box, swept[j].box))
         swept_pairs.push_back(ordered_pair(s.body, swept[j].body));
     }
-    if (s.is_swept) list_partners_of(s.body, box, others_way);
+    if (s.is_swept) list_partners_of(s.body, box, others_travel);
   }
   std::sort(swept_pairs.begin(), swept_pairs.end());
   std::erase_if(swept_pairs, [&](const BoxPair& pair) {
@@ -216,15 +216,15 @@ void World::State::list_swept_pairs(double others_way) {
 }
 
 /// Of a swept body with a box around all its places those that are not listed.
-void World::State::list_partners_of(std::uint32_t index, const Aabb& box, double others_way) {
+void World::State::list_partners_of(std::uint32_t index, const Aabb& box, double others_travel) {
   partners.clear();
-  broad.find_overlapping(grown(box, others_way), partners);
+  broad.find_overlapping(grown(box, others_travel), partners);
   for (const std::uint32_t partner : partners) {
     const std::uint32_t other = body_of_box[partner];
     const Mover* mover = movers.find(other);
     if (other == index || (mover != nullptr && mover->is_listed)) continue;
     const Aabb now = broad.box(broad.id(partner));
-    if (intersects(box, mover == nullptr ? now : grown(now, mover->way)))
+    if (intersects(box, mover == nullptr ? now : grown(now, mover->travel)))
       swept_pairs.push_back(ordered_pair(index, other));
   }
 }

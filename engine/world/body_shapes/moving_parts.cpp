@@ -47,8 +47,8 @@ Aabb swept_box(const BodyShape& shape, const RigidMotion& motion) {
   return swept_bounds(MovingShape(ball, motion, "sweep"));
 }
 
-std::vector<PartOnWay> parts_on_way(const BodyOnWay& body, const Aabb& box) {
-  std::vector<PartOnWay> parts;
+std::vector<MovingPart> moving_parts_in(const MovingBodyShape& body, const Aabb& box) {
+  std::vector<MovingPart> parts;
   const PartsBody* whole = as_parts(body.shape);
   const Pose& start = body.motion.start();
   if (whole == nullptr) {
@@ -66,7 +66,7 @@ std::vector<PartOnWay> parts_on_way(const BodyOnWay& body, const Aabb& box) {
   return parts;
 }
 
-RigidContact first_contact_of(const PartOnWay& a, const PartOnWay& b,
+RigidContact first_contact_of(const MovingPart& a, const MovingPart& b,
                               const RigidContactSettings& settings) {
   const BodyShape& shape = *a.placed.shape;
   return ask_shape(is_users_shape(shape), [&] {

@@ -12,14 +12,14 @@
 namespace graze {
 
 /// A body's shape and its motion.
-struct BodyOnWay {
+struct MovingBodyShape {
   const BodyShape& shape;
   const RigidMotion& motion;
   std::optional<Filter> filter = {};  ///< the body's, if it is known
 };
 
 /// A part, which goes where its body takes it; or a shape that is no compound, as its own part 0.
-struct PartOnWay {
+struct MovingPart {
   PlacedPart placed;  ///< at the start
   RigidMotion motion;
   Aabb swept;  ///< around all its places
@@ -30,17 +30,18 @@ struct PartOnWay {
 Aabb swept_box(const BodyShape& shape, const RigidMotion& motion);
 
 /// Its parts whose boxes around all places meet a box; ascending. Throws likewise.
-std::vector<PartOnWay> parts_on_way(const BodyOnWay& body, const Aabb& box);
+std::vector<MovingPart> moving_parts_in(const MovingBodyShape& body, const Aabb& box);
 
 /// Calls `visit(part_a, part_b)` for parts that may come as near to each other as the settings ask
 /// for, by their numbers ascending. Throws likewise.
 template <typename Visit>
-void for_moving_part_pairs(const BodyOnWay& a, const BodyOnWay& b,
+void for_moving_part_pairs(const MovingBodyShape& a, const MovingBodyShape& b,
                            const RigidContactSettings& settings, const Visit& visit) {
   const double room = settings.clearance + settings.tolerance;
-  const std::vector<PartOnWay> parts_a = parts_on_way(a, grown(swept_box(b.shape, b.motion), room));
-  for (const PartOnWay& part_a : parts_a) {
-    for (const PartOnWay& part_b : parts_on_way(b, grown(part_a.swept, room))) {
+  const std::vector<MovingPart> parts_a =
+      moving_parts_in(a, grown(swept_box(b.shape, b.motion), room));
+  for (const MovingPart& part_a : parts_a) {
+    for (const MovingPart& part_b : moving_parts_in(b, grown(part_a.swept, room))) {
       if (do_parts_meet({a.shape, a.motion.start(), 0, a.filter}, part_a.placed,
                         {b.shape, b.motion.start(), 0, b.filter}, part_b.placed))
         visit(part_a, part_b);
@@ -49,7 +50,7 @@ void for_moving_part_pairs(const BodyOnWay& a, const BodyOnWay& b,
 }
 
 /// BodyShape::first_contact() of the two.
-RigidContact first_contact_of(const PartOnWay& a, const PartOnWay& b,
+RigidContact first_contact_of(const MovingPart& a, const MovingPart& b,
                               const RigidContactSettings& settings);
 
 }  // namespace graze

@@ -118,7 +118,7 @@ RigidContact PartsBody::first_contact(const RigidMotion& motion, const BodyShape
     RigidContact earliest{
         .status = RigidStatus::Free, .low = 1, .high = 1, .is_out_of_budget = false};
     for_moving_part_pairs({*this, motion}, {other, other_motion}, settings,
-                          [&](const PartOnWay& s, const PartOnWay& t) {
+                          [&](const MovingPart& s, const MovingPart& t) {
                             const RigidContact found = first_contact_of(s, t, settings);
                             if (is_earlier(found, earliest)) earliest = found;
                           });
