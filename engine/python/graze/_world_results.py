@@ -22,6 +22,8 @@ class WorldContacts(NamedTuple):
     """(k + 1,): those of pair i are contacts[offsets[i]:offsets[i + 1]] of each array."""
     contacts: ShapeContacts
     """Normals from the first body of a pair to the second."""
+    ids: Ids
+    """(c,), of each contact, the same as long as it goes on: of updates of a world that tracks contacts; else (0,)."""
 
 
 @result

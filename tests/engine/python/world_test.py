@@ -52,6 +52,26 @@ def test_lists_of_one_body():
     assert update.counters["shape_tests"] >= 3 and set(update.counters) > {"pairs_near", "trees_unbuilt"}
 
 
+def test_contacts_that_go_on_keep_their_numbers():
+    world = graze.World(tracks_contacts=True)
+    world.add(graze.HalfSpace([0, 0, 1]), kind="static")
+    box = world.add((graze.Box([0.5, 0.5, 0.5]), translation(0, 0, 0.499)))
+    first = world.update().contacts
+    assert len(set(first.ids.tolist())) == len(first.contacts.depth) == 4 and first.ids.min() > 0
+    kept = world.snapshot()
+    world.move(box, translation(0.25, 0, 0.499))
+    assert np.array_equal(world.update().contacts.ids, first.ids)
+    assert len(world.contacts().ids) == 0
+    world.move(box, translation(0, 0, 2))
+    assert len(world.update().contacts.ids) == 0
+    world.restore(kept)
+    world.move(box, translation(0.25, 0, 0.499))
+    assert len(world.update().contacts.ids) == 4
+    assert len(graze.World().update().contacts.ids) == 0
+    with pytest.raises(graze.InputError, match="tracks_contacts"):
+        graze.World(contacts=False, tracks_contacts=True)
+
+
 def test_sides_count_in_a_world():
     world = graze.World()
     room = world.add(cube(4), kind="static", sides="solid")

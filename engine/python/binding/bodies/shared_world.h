@@ -6,6 +6,7 @@
 
 #include <graze/bvh/error.h>
 #include <graze/bvh/value/element_error.h>
+#include <graze/engine/world/contact_tracker.h>
 #include <graze/engine/world/world.h>
 
 #include <cstdint>
@@ -39,6 +40,7 @@ struct SharedWorld {
   }
 
   World world;
+  std::optional<ContactTracker> tracker;  ///< if it tracks contacts
   std::recursive_mutex mutex;
   bool is_in_batch = false;  ///< read and written with the lock
 };
@@ -146,8 +148,8 @@ py::object closest_pair(SharedWorld& shared, const PlacedWorld& other,
 /// Throws InputError for a filter: those of the worlds count.
 WorldPairSettings pair_settings(py::handle filter, py::handle role);
 
-/// Contacts of pairs as WorldContacts.
-py::object result_of(const std::vector<BodyContact>& contacts);
+/// Contacts of pairs as WorldContacts, with their numbers if they are tracked.
+py::object result_of(const std::vector<BodyContact>& contacts, std::vector<std::uint64_t> ids = {});
 BodyQuerySettings query_settings(py::handle filter, py::handle role);
 /// (category, mask, group).
 Filter filter_from(py::handle argument);

@@ -196,9 +196,14 @@ void add_snapshots(py::module_& module) {
   type.def(
       "restore",
       [](SharedWorld& shared, const WorldSnapshot& snapshot) {
-        shared.ask([&](World& world) { world.restore(snapshot); });
+        shared.ask([&](World& world) {
+          world.restore(snapshot);
+          if (shared.tracker) shared.tracker.emplace();
+        });
       },
-      "restore(self, snapshot)\n--\n\nThe world as it was, bit for bit.", py::arg("snapshot"));
+      "restore(self, snapshot)\n--\n\nThe world as it was, bit for bit. Tracked contacts begin "
+      "anew.",
+      py::arg("snapshot"));
 }
 
 }  // namespace graze::python

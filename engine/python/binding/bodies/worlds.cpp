@@ -94,6 +94,7 @@ struct KeptUpdate {
   std::vector<BodyContact> contacts;
   std::vector<BodyFirstContact> first_contacts;
   WorldWork work;
+  std::vector<std::uint64_t> contact_ids;  ///< if contacts are tracked
 };
 
 template <typename T>
@@ -146,17 +147,29 @@ py::dict counters_of(const WorldWork& work) {
   return counters;
 }
 
+std::vector<std::uint64_t> tracked_ids(SharedWorld& shared, const WorldUpdate& update) {
+  std::vector<std::uint64_t> all;
+  if (!shared.tracker) return all;
+  shared.tracker->take(shared.world, update);
+  for (std::size_t i = 0; i < update.contacts.size(); ++i) {
+    const std::span<const std::uint64_t> ids = shared.tracker->ids(i);
+    all.insert(all.end(), ids.begin(), ids.end());
+  }
+  return all;
+}
+
 py::object update(SharedWorld& shared) {
   static const ResultType kType("WorldUpdate");
-  const KeptUpdate found = shared.ask([](World& world) {
+  KeptUpdate found = shared.ask([&](World& world) {
     const WorldUpdate update = world.update();
     return KeptUpdate{kept(update.begun),          kept(update.ended),
                       kept(update.moved),          kept(update.begun_near),
                       kept(update.ended_near),     kept(update.contacts),
-                      kept(update.first_contacts), update.work};
+                      kept(update.first_contacts), update.work,
+                      tracked_ids(shared, update)};
   });
   return kType(array_of_pairs(found.begun), array_of_pairs(found.ended),
-               array_of_pairs(found.moved), result_of(found.contacts),
+               array_of_pairs(found.moved), result_of(found.contacts, std::move(found.contact_ids)),
                array_of_pairs(found.begun_near), array_of_pairs(found.ended_near),
                first_contacts_of(found.first_contacts), found.work.shapes, counters_of(found.work));
 }
@@ -181,15 +194,20 @@ py::object shape_of(SharedWorld& shared, py::handle argument) {
 }
 
 std::unique_ptr<SharedWorld> make_world(py::handle threads, bool contacts, bool islands,
-                                        py::handle number, py::handle sliding_depth) {
+                                        py::handle number, py::handle sliding_depth,
+                                        bool tracks_contacts) {
   const std::size_t which = count_from(number, "number");
   if (which > kLargestWorldNumber) throw InputError("number: is from 0 to 255");
-  return std::make_unique<SharedWorld>(
+  if (tracks_contacts && !contacts)
+    throw InputError("tracks_contacts: there are none, as contacts is False");
+  auto shared = std::make_unique<SharedWorld>(
       WorldSettings{.threads = Batch(threads, py::none()).threads,
                     .contacts = contacts,
                     .number = static_cast<std::uint32_t>(which),
                     .islands = islands,
                     .sliding_depth = number_from(sliding_depth, "sliding_depth")});
+  if (tracks_contacts) shared->tracker.emplace();
+  return shared;
 }
 
 void add_bodies_to(py::class_<SharedWorld>& type) {
@@ -250,7 +268,7 @@ however long that takes: Ctrl-C waits for it.
 
 }  // namespace
 
-py::object result_of(const std::vector<BodyContact>& contacts) {
+py::object result_of(const std::vector<BodyContact>& contacts, std::vector<std::uint64_t> ids) {
   static const ResultType kType("WorldContacts");
   std::vector<BodyPair> pairs;
   std::vector<ShapeContact> all;
@@ -266,7 +284,8 @@ py::object result_of(const std::vector<BodyContact>& contacts) {
     offsets.push_back(static_cast<std::int64_t>(all.size()));
   }
   return kType(array_of_pairs(pairs), array_over<std::uint32_t>(std::move(parts), 2),
-               array_over<std::int64_t>(std::move(offsets)), result_of(all));
+               array_over<std::int64_t>(std::move(offsets)), result_of(all),
+               array_over<std::uint64_t>(std::move(ids)));
 }
 
 void add_worlds(py::module_& module) {
@@ -274,11 +293,13 @@ void add_worlds(py::module_& module) {
       module, "World",
       R"(Bodies that move, and which of them touch. An update looks only at what moved.
 
-    World(*, threads=1, contacts=True, islands=False, number=0, sliding_depth=0.001)
+    World(*, threads=1, contacts=True, islands=False, number=0, sliding_depth=0.001, tracks_contacts=False)
 
 `threads` share each stage of an update; 0: all that there are. No result depends on it. Without `contacts` updates
 find none. `islands` are kept for islands(). A world with a `number`, 1 to 255, refuses the ids of others. A convex body
-that is swept slides along a mesh that it gets no deeper behind than `sliding_depth`, metres.
+that is swept slides along a mesh that it gets no deeper behind than `sliding_depth`, metres. Where it
+`tracks_contacts`, each contact of an update has a number, the same as long as the contact goes on: what a solver keeps
+impulses by.
 
 >>> world = graze.World()
 >>> balls = world.add((graze.Sphere([0, 0, 0], 0.6), np.stack([np.eye(4), raised])))
@@ -290,9 +311,10 @@ True
 )");
   type.def(py::init(&make_world),
            "__init__(self, *, threads=1, contacts=True, islands=False, number=0, "
-           "sliding_depth=0.001)\n--\n\nWithout bodies.",
+           "sliding_depth=0.001, tracks_contacts=False)\n--\n\nWithout bodies.",
            py::kw_only(), py::arg("threads") = 1, py::arg("contacts") = true,
-           py::arg("islands") = false, py::arg("number") = 0, py::arg("sliding_depth") = 1e-3);
+           py::arg("islands") = false, py::arg("number") = 0, py::arg("sliding_depth") = 1e-3,
+           py::arg("tracks_contacts") = false);
   type.def("__len__", [](SharedWorld& shared) {
     return shared.ask([](World& world) { return world.size(); });
   });
