@@ -9,7 +9,7 @@
 
 namespace graze {
 
-/// How a ContactTracker() recognises contacts.
+/// How a ContactTracker recognises contacts.
 struct ContactTrackerSettings {
   /// How far a contact may be from where the bodies took an old one for it to be the same, as a
   /// share of the smaller body's size: finite and not negative.
@@ -22,17 +22,19 @@ struct ContactTrackerSettings {
 /// facet to facet, or what lies trembles, features change although the contact goes on, and where a
 /// piece of two meshes is suddenly left by another facet a feature stays although it does not.
 ///
-/// Law 15, 4: while a number lasts, and no point of the two bodies moves by more than m, the depth
+/// Law 15: while a number lasts, and no point of the two bodies moves by more than m, the depth
 /// changes by at most 2 m and a millionth of the smaller size, and the normal, while m is at most a
 /// ten-thousandth of that size, by at most one degree. It is kept by asking, with an m that is no
 /// more than the law's: how far the points of the pair's contacts move with their bodies. Beyond a
-/// ten-thousandth of the size the normal may change by a degree more for each, up to 30. Contacts
-/// go on by their places first, nearest ones first, measured on the body along which the contact
-/// moved less; then by their features. What an update does not list stays as it is.
+/// ten-thousandth of the size the normal may change by a degree more for each, up to 30. Of a pair
+/// all contacts go on if each kept its feature and its place. Else they go on by their places,
+/// nearest ones first, measured on the body along which a contact moved less; then by their
+/// features. Where a body has another shape than before, the same rules say what goes on. What an
+/// update does not list stays as it is, and what ends, or has become a sensor, is forgotten.
 ///
-/// It is for one world. Not for use by several threads at once. Time: of each contact listed a hash
-/// lookup, and the square of the number of contacts in its manifold; memory: some 100 bytes a
-/// contact and 400 a pair.
+/// It is for one world, whose settings ask for contacts. Not for use by several threads at once.
+/// Time: of each pair listed a hash lookup, and for each manifold the square of the number of its
+/// contacts; memory: some 100 bytes a contact and 400 a pair.
 class ContactTracker {
  public:
   /// Throws InputError for settings that are none.
@@ -41,9 +43,13 @@ class ContactTracker {
   ContactTracker(ContactTracker&&) noexcept;
   ContactTracker& operator=(ContactTracker&&) noexcept;
 
-  /// Takes what an update said: of each one, in turn, before a body is moved again. After
-  /// World::restore() begin with a new tracker. Throws StaleIdError for bodies that are gone.
+  /// Takes what an update said: of each one, in turn, before a body is moved again. Throws
+  /// StaleIdError for bodies that are gone. If it throws, as where memory is short, no numbers are
+  /// told of this update, and contacts of the pair at hand begin anew.
   void take(const World& world, const WorldUpdate& update);
+
+  /// Forgets all contacts, as is to be done after World::restore(). Numbers are not given again.
+  void clear();
 
   /// The numbers of the contacts of `update.contacts[index]` as last taken, in their order, each
   /// above 0. Valid until take(). Throws InputError for an index out of range.

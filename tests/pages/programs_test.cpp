@@ -72,7 +72,7 @@ TEST_F(ReadmePrograms, OfTheTour) {
   EXPECT_FALSE(there.empty());
   EXPECT_FALSE(seen.has_value());  // through the hole of the nut
   EXPECT_FALSE(is_tangled);
-  EXPECT_TRUE(crossings.empty());
+  EXPECT_TRUE(tangles.empty());
   EXPECT_GT(work.volume_tests, 0u);
   EXPECT_TRUE(exact);
   EXPECT_TRUE(boxed);

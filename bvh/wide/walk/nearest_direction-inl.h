@@ -170,11 +170,11 @@ HWY_INLINE void consider_face(Shortest& shortest, const Face& face, const Vector
 /// corners.
 ///
 /// An offset is one between points of both primitives, whatever shares and weights it is made of: a
-/// sum of corners' differences by weights that are not negative and sum to 1, for which exact
-/// corners are off by no more than one corner is. Between edges three differences, two products
-/// and two sums round, of two and one lengths; weights of a face's corners sum to 1 but for 4.01
-/// u. That and the error of corners (wide_bounds.h) is below 24.5 u of what kCornerError is
-/// multiplied by: each coordinate is off by `error` at most.
+/// sum of differences of corners by weights that are not negative and sum to 1. The error of such a
+/// sum is at most that of one difference. Between edges three differences, two products and two
+/// sums are rounded; products are of edges, which are up to two lengths long. The weights of a
+/// face's corners sum to 1 but for 4.01 u. That and the error of corners (wide_bounds.h) is
+/// below 24.5 u of what kCornerError is multiplied by: each coordinate is off by `error` at most.
 HWY_INLINE float set_bounds(float (&bounds)[NearPairs::kMost], const NearPairs& pairs, float error,
                             float unit_of_tested) {
   const ManyTag tag;

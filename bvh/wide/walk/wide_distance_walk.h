@@ -47,7 +47,7 @@ class WideDistanceWalk {
   void look_first_within(double share);
 
   /// The next pairs that may be within the root of `squared_limit`, in common units, and as near as
-  /// the nearest two corners that were seen; none when there are no more. `found` has room for
+  /// the nearest points of primitives that were seen; none when there are no more. `found` has room for
   /// kMostAtOnce.
   std::size_t next(std::span<BoundedPlaces> found, double squared_limit);
 
@@ -87,7 +87,7 @@ class WideDistanceWalk {
     float growth;           ///< LengthMargins, twice over
     float margin;
     float direction[2][3] = {};  ///< in each tree's frame, from it to the other
-    /// Of the distance, by the corners seen.
+    /// Of the distance, by the corners and the nearest points in float that were seen.
     float squared_upper_bound = std::numeric_limits<float>::infinity();
     TraversalStack<Waiting, 192> open;
     float squared_share = 1;  ///< of the limit: what is beyond it is left for later

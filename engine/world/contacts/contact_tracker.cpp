@@ -22,14 +22,19 @@ struct TrackedContact {
   double depth;
 };
 
-/// The contacts of one manifold, and where its bodies were.
+/// The contacts of one manifold: of two bodies, or of two parts of them.
 struct TrackedManifold {
-  std::uint32_t part_a = 0, part_b = 0;
+  std::pair<std::uint32_t, std::uint32_t> parts;
+  std::vector<TrackedContact> contacts;
+};
+
+/// A pair as it was when it was last listed.
+struct TrackedPair {
   const BodyShape* shape_a = nullptr;
   const BodyShape* shape_b = nullptr;
   double size = 0;  ///< of the smaller body, metres
-  Pose pose_a, pose_b;
-  std::vector<TrackedContact> contacts;
+  Pose pose_a = Pose::Identity(), pose_b = Pose::Identity();
+  std::vector<TrackedManifold> manifolds;  ///< ascending by parts
 };
 
 /// A pair of an old and a new contact that may be one, and how far they are apart.
@@ -41,17 +46,18 @@ struct TrackedMatch {
 
 /// What the bodies of a pair did since it was last listed.
 struct PairCourse {
-  Pose a, b;          ///< where they are now
-  double size;        ///< of the smaller body, metres
-  double same_place;  ///< metres
-  double moved = 0;   ///< how far points of the two moved, metres: the farthest that is known
+  Pose a, b;              ///< where they are now
+  double size = 0;        ///< of the smaller body, metres
+  double same_place = 0;  ///< metres
+  double moved = 0;       ///< how far points of the two moved, metres: the farthest that is known
 };
 
 namespace {
 
 /// The diagonal of the box around the shape in its own frame; infinite of a half-space.
 double diagonal_of(const BodyShape& shape) {
-  const Aabb box = shape.bounds(Pose::Identity());
+  const auto bounds = [&] { return shape.bounds(Pose::Identity()); };
+  const Aabb box = shape.shape() != nullptr ? bounds() : bvh::in_users_arithmetic(bounds);
   const double size = (box.max - box.min).norm();
   return std::isfinite(size) ? size : std::numeric_limits<double>::infinity();
 }
@@ -63,13 +69,13 @@ constexpr double kDegree = std::numbers::pi / 180;
 bool may_turn(double cosine, double moved, double size) {
   constexpr double kFine = 1e-4;       // of the size: until there a degree is allowed
   constexpr double kMost = 30;         // degrees
-  constexpr double kRounding = 1e-12;  // of a cosine of unit vectors; of that of a degree 2e-4
+  constexpr double kRounding = 1e-12;  // of a cosine; a degree takes 1.5e-4 from it
   static const double of_a_degree = std::cos(kDegree);
   if (moved <= kFine * size) return cosine >= of_a_degree + kRounding;
   return cosine >= std::cos(std::min(moved / (kFine * size), kMost) * kDegree) + kRounding;
 }
 
-/// Whether law 15, 4 lets `now` go on what `old` was.
+/// Whether law 15 lets `now` go on what `old` was.
 bool may_go_on(const TrackedContact& old, const TrackedContact& now, const PairCourse& course) {
   constexpr double kTolerance = 1e-6;  // of the size, as the law has it
   const double change = std::abs(now.depth - old.depth);
@@ -121,20 +127,21 @@ void check_settings(const ContactTrackerSettings& settings) {
 
 struct ContactTracker::State {
   ContactTrackerSettings settings;
-  std::unordered_map<BodyPair, std::vector<TrackedManifold>> pairs;
+  std::unordered_map<BodyPair, TrackedPair> pairs;
   std::uint64_t last_id = 0;
-  std::size_t swept_size = 0;            ///< pairs that were left when gone bodies were looked for
   std::vector<std::uint64_t> ids;        ///< of all contacts of the last update
-  std::vector<std::size_t> begins;       ///< of each manifold, in `ids`, and their end
+  std::vector<std::size_t> begins{0};    ///< of each manifold, in `ids`, and their end
   std::vector<TrackedManifold> now;      ///< of a pair
   std::vector<TrackedContact> contacts;  ///< of a manifold
   std::vector<TrackedMatch> matches;
   std::vector<std::uint8_t> has_gone_on;  ///< of old contacts
 
-  void drop_ended(const World& world, const WorldUpdate& update);
-  void drop_gone(const World& world);
+  void drop_ended(const WorldUpdate& update);
   void take_pair(const World& world, std::span<const BodyContact> manifolds);
-  void take_manifold(const BodyContact& found, TrackedManifold& kept, PairCourse course);
+  void take_manifolds(std::span<const BodyContact> manifolds, TrackedPair& pair,
+                      const PairCourse& course);
+  void take_manifold(const Manifold& found, const TrackedPair& pair, TrackedManifold& kept,
+                     PairCourse course);
   void match(std::span<const TrackedContact> old, const PairCourse& course);
 };
 
@@ -142,33 +149,21 @@ ContactTracker::ContactTracker(const ContactTrackerSettings& settings)
     : state_(std::make_unique<State>()) {
   check_settings(settings);
   state_->settings = settings;
-  state_->begins.push_back(0);
 }
 ContactTracker::~ContactTracker() = default;
 ContactTracker::ContactTracker(ContactTracker&&) noexcept = default;
 ContactTracker& ContactTracker::operator=(ContactTracker&&) noexcept = default;
 
-/// A pair ends where it is neither touching nor within its margin: where it is still listed it is.
-void ContactTracker::State::drop_ended(const World& world, const WorldUpdate& update) {
-  const auto is_listed = [&](const BodyPair& pair) {
-    const auto at = std::ranges::lower_bound(update.contacts, pair, {}, &BodyContact::pair);
-    return at != update.contacts.end() && at->pair == pair;
-  };
-  for (const std::span<const BodyPair> ended : {update.ended, update.ended_near}) {
-    for (const BodyPair& pair : ended) {
-      if (!is_listed(pair)) pairs.erase(pair);
+/// What ended, or has no contacts any more although it touches, as one body is a sensor now. A pair
+/// that no longer touches may still be within its margin: then it is listed.
+void ContactTracker::State::drop_ended(const WorldUpdate& update) {
+  for (const std::span<const BodyPair> list : {update.ended, update.ended_near, update.moved}) {
+    auto at = update.contacts.begin();
+    for (const BodyPair& pair : list) {
+      at = std::ranges::lower_bound(at, update.contacts.end(), pair, {}, &BodyContact::pair);
+      if (at == update.contacts.end() || at->pair != pair) pairs.erase(pair);
     }
   }
-  constexpr std::size_t kFew = 64;
-  if (pairs.size() > 2 * swept_size + kFew) drop_gone(world);
-}
-
-/// What only sides bring together ends without a word, as it does not touch.
-void ContactTracker::State::drop_gone(const World& world) {
-  std::erase_if(pairs, [&](const auto& each) {
-    return !world.contains(each.first.a) || !world.contains(each.first.b);
-  });
-  swept_size = pairs.size();
 }
 
 /// Gives numbers to `contacts`: those of old ones that go on, and new ones.
@@ -197,12 +192,13 @@ void ContactTracker::State::match(std::span<const TrackedContact> old, const Pai
   }
 }
 
-void ContactTracker::State::take_manifold(const BodyContact& found, TrackedManifold& kept,
-                                          PairCourse course) {
+/// `kept` holds what the manifold was.
+void ContactTracker::State::take_manifold(const Manifold& found, const TrackedPair& pair,
+                                          TrackedManifold& kept, PairCourse course) {
   contacts.clear();
   const Pose to_a = course.a.inverse(Eigen::Isometry);
   const Pose to_b = course.b.inverse(Eigen::Isometry);
-  for (const ShapeContact& contact : found.manifold) {
+  for (const ShapeContact& contact : found) {
     contacts.push_back({.id = 0,
                         .feature = contact.feature,
                         .point_a = to_a * contact.point_a,
@@ -210,79 +206,88 @@ void ContactTracker::State::take_manifold(const BodyContact& found, TrackedManif
                         .normal = contact.normal,
                         .depth = contact.depth});
   }
-  for (const std::span<const TrackedContact> list :
-       {std::span(kept.contacts), std::span(contacts)}) {
+  for (const std::span<const TrackedContact> list : {std::span<const TrackedContact>(kept.contacts),
+                                                     std::span<const TrackedContact>(contacts)}) {
     course.moved = std::max(
-        {course.moved, farthest_moved(list, kept.pose_a, course.a, &TrackedContact::point_a),
-         farthest_moved(list, kept.pose_b, course.b, &TrackedContact::point_b)});
+        {course.moved, farthest_moved(list, pair.pose_a, course.a, &TrackedContact::point_a),
+         farthest_moved(list, pair.pose_b, course.b, &TrackedContact::point_b)});
   }
   match(kept.contacts, course);
   for (const TrackedContact& contact : contacts)
     ids.push_back(contact.id);
   begins.push_back(ids.size());
   std::swap(kept.contacts, contacts);
-  kept.pose_a = course.a;
-  kept.pose_b = course.b;
 }
 
-/// Of compounds there is a manifold for each two parts that meet.
+/// Of compounds there is a manifold for each two parts that meet; old and new ones ascend by parts.
+void ContactTracker::State::take_manifolds(std::span<const BodyContact> manifolds,
+                                           TrackedPair& pair, const PairCourse& course) {
+  now.clear();
+  auto old = pair.manifolds.begin();
+  for (const BodyContact& each : manifolds) {
+    const std::pair parts(each.manifold.part_a(), each.manifold.part_b());
+    while (old != pair.manifolds.end() && old->parts < parts)
+      ++old;
+    const bool was_there = old != pair.manifolds.end() && old->parts == parts;
+    now.push_back(was_there ? std::move(*old++) : TrackedManifold{.parts = parts, .contacts = {}});
+    take_manifold(each.manifold, pair, now.back(), course);
+  }
+  std::swap(pair.manifolds, now);
+  pair.pose_a = course.a;
+  pair.pose_b = course.b;
+}
+
 void ContactTracker::State::take_pair(const World& world, std::span<const BodyContact> manifolds) {
   const BodyPair ids_of_pair = manifolds.front().pair;
-  const Pose& pose_a = world.pose(ids_of_pair.a);
-  const Pose& pose_b = world.pose(ids_of_pair.b);
   const BodyShape& shape_a = world.shape(ids_of_pair.a);
   const BodyShape& shape_b = world.shape(ids_of_pair.b);
-  std::vector<TrackedManifold>& old = pairs[ids_of_pair];
-  now.resize(manifolds.size());
-  const auto parts_of = [](const TrackedManifold& each) {
-    return std::pair(each.part_a, each.part_b);
-  };
-  for (std::size_t i = 0; i < manifolds.size(); ++i) {
-    const Manifold& manifold = manifolds[i].manifold;
-    const std::pair parts(manifold.part_a(), manifold.part_b());
-    // They stand in one order, so that most are where they were.
-    auto at = i < old.size() && parts_of(old[i]) == parts
-                  ? old.begin() + static_cast<std::ptrdiff_t>(i)
-                  : std::ranges::find(old, parts, parts_of);
-    TrackedManifold& kept = now[i];
-    if (at == old.end() || at->shape_a != &shape_a || at->shape_b != &shape_b) {
-      kept.contacts.clear();
-      kept.part_a = parts.first, kept.part_b = parts.second;
-      kept.shape_a = &shape_a, kept.shape_b = &shape_b;
-      kept.size = std::min(diagonal_of(shape_a), diagonal_of(shape_b));
-      kept.pose_a = pose_a, kept.pose_b = pose_b;
-    } else {
-      std::swap(kept, *at);
+  PairCourse course{.a = world.pose(ids_of_pair.a), .b = world.pose(ids_of_pair.b)};
+  TrackedPair& pair = pairs[ids_of_pair];
+  try {
+    if (pair.shape_a != &shape_a || pair.shape_b != &shape_b) {
+      pair.size = std::min(diagonal_of(shape_a), diagonal_of(shape_b));
+      pair.shape_a = &shape_a, pair.shape_b = &shape_b;
     }
-    take_manifold(manifolds[i], kept,
-                  {.a = pose_a,
-                   .b = pose_b,
-                   .size = kept.size,
-                   .same_place = settings.same_place * kept.size});
+    course.size = pair.size;
+    course.same_place = settings.same_place * pair.size;
+    take_manifolds(manifolds, pair, course);
+  } catch (...) {
+    pairs.erase(ids_of_pair);
+    throw;
   }
-  std::swap(old, now);
 }
 
 void ContactTracker::take(const World& world, const WorldUpdate& update) {
   bvh::in_standard_arithmetic([&] {
     State& state = *state_;
     state.ids.clear();
-    state.begins.assign(1, 0);
-    state.drop_ended(world, update);
+    state.begins.resize(1);
+    state.drop_ended(update);
     const std::span<const BodyContact> all = update.contacts;
-    for (std::size_t begin = 0; begin < all.size();) {
-      std::size_t end = begin + 1;
-      while (end < all.size() && all[end].pair == all[begin].pair)
-        ++end;
-      state.take_pair(world, all.subspan(begin, end - begin));
-      begin = end;
+    try {
+      for (std::size_t begin = 0; begin < all.size();) {
+        std::size_t end = begin + 1;
+        while (end < all.size() && all[end].pair == all[begin].pair)
+          ++end;
+        state.take_pair(world, all.subspan(begin, end - begin));
+        begin = end;
+      }
+    } catch (...) {
+      state.begins.resize(1);
+      throw;
     }
   });
 }
 
+void ContactTracker::clear() {
+  state_->pairs.clear();
+  state_->ids.clear();
+  state_->begins.resize(1);
+}
+
 std::span<const std::uint64_t> ContactTracker::ids(std::size_t index) const {
   const std::vector<std::size_t>& begins = state_->begins;
-  if (index + 1 >= begins.size()) {
+  if (index >= begins.size() - 1) {
     throw InputError("ContactTracker::ids: there is no manifold " + std::to_string(index) +
                      "; there are " + std::to_string(begins.size() - 1));
   }
@@ -291,8 +296,8 @@ std::span<const std::uint64_t> ContactTracker::ids(std::size_t index) const {
 
 std::size_t ContactTracker::size() const {
   std::size_t count = 0;
-  for (const auto& [pair, manifolds] : state_->pairs) {
-    for (const TrackedManifold& each : manifolds)
+  for (const auto& [ids, pair] : state_->pairs) {
+    for (const TrackedManifold& each : pair.manifolds)
       count += each.contacts.size();
   }
   return count;

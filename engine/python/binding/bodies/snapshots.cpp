@@ -198,11 +198,11 @@ void add_snapshots(py::module_& module) {
       [](SharedWorld& shared, const WorldSnapshot& snapshot) {
         shared.ask([&](World& world) {
           world.restore(snapshot);
-          if (shared.tracker) shared.tracker.emplace();
+          if (shared.tracker) shared.tracker->clear();
         });
       },
       "restore(self, snapshot)\n--\n\nThe world as it was, bit for bit. Tracked contacts begin "
-      "anew.",
+      "anew, with numbers that none had.",
       py::arg("snapshot"));
 }
 
