@@ -147,7 +147,7 @@ struct ContactTracker::State {
 
 ContactTracker::ContactTracker(const ContactTrackerSettings& settings)
     : state_(std::make_unique<State>()) {
-  check_settings(settings);
+  bvh::in_standard_arithmetic([&] { check_settings(settings); });
   state_->settings = settings;
 }
 ContactTracker::~ContactTracker() = default;
