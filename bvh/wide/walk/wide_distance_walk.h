@@ -47,8 +47,8 @@ class WideDistanceWalk {
   void look_first_within(double share);
 
   /// The next pairs that may be within the root of `squared_limit`, in common units, and as near as
-  /// the nearest points of primitives that were seen; none when there are no more. `found` has room for
-  /// kMostAtOnce.
+  /// the nearest points of primitives that were seen; none when there are no more. `found` has room
+  /// for kMostAtOnce.
   std::size_t next(std::span<BoundedPlaces> found, double squared_limit);
 
   /// Looks also for gaps along this direction, which the nearest points found so far suggest: from
