@@ -70,8 +70,7 @@ bool may_turn(double cosine, double moved, double size) {
   constexpr double kFine = 1e-4;       // of the size: until there a degree is allowed
   constexpr double kMost = 30;         // degrees
   constexpr double kRounding = 1e-12;  // of a cosine; a degree takes 1.5e-4 from it
-  static const double of_a_degree = std::cos(kDegree);
-  if (moved <= kFine * size) return cosine >= of_a_degree + kRounding;
+  if (moved <= kFine * size) return cosine >= std::cos(kDegree) + kRounding;
   return cosine >= std::cos(std::min(moved / (kFine * size), kMost) * kDegree) + kRounding;
 }
 
