@@ -193,6 +193,19 @@ TEST(ContactTracker, ABoxThatSlidesKeepsItsFourAndOnItsOtherSideHasOthers) {
     EXPECT_GT(id, std::ranges::max(first));
 }
 
+TEST(ContactTracker, WhatStaysAtItsPlaceGoesOnThoughOtherPartsMeet) {
+  Tracked scene;
+  scene.world.add({HalfSpace{{0, 0, 1}}}, {.kind = BodyKind::Static});
+  const BodyId box = scene.world.add({kCube, at(0, 0, 0.499)});
+  scene.update();
+  const Ids first = scene.ids[0];
+  Pose upside_down = at(0, 0, 0.499);  // on its upper face, at the same place of the ground
+  upside_down.linear() = AngleAxisd(std::numbers::pi, Vector3d::UnitX()).toRotationMatrix();
+  scene.world.move(box, upside_down);
+  scene.update();
+  EXPECT_TRUE(std::ranges::is_permutation(scene.ids[0], first));
+}
+
 TEST(ContactTracker, WhatPartsAndMeetsAgainIsNew) {
   Tracked scene;
   scene.world.add({kCube}, {.kind = BodyKind::Static});
@@ -223,7 +236,7 @@ TEST(ContactTracker, WithinAMarginContactsGoOnThoughTheTouchEnds) {
   const BodyId ball = scene.world.add({Sphere{{0, 0, 0}, 0.5}, at(0, 0, 0.999)}, {.margin = 0.1});
   scene.update();
   const std::vector<Ids> first = scene.ids;
-  for (const double height : {1.01, 1.05, 0.999}) {
+  for (const double height : {1.01, 1.05, 0.999, 1.05}) {
     scene.world.move(ball, at(0, 0, height));
     scene.update();
     EXPECT_EQ(scene.ids, first) << height;
@@ -289,7 +302,7 @@ TEST(ContactTracker, NoPairTakesNumbersOfAnother) {
 
 TEST(ContactTracker, WhatBecomesASensorIsForgotten) {
   Tracked scene;
-  scene.world.add({kCube}, {.kind = BodyKind::Static});
+  scene.world.add({kCube});
   const BodyId ball = scene.world.add({Sphere{{0, 0, 0}, 0.5}, at(0, 0, 0.999)});
   scene.update();
   const std::vector<Ids> first = scene.ids;
