@@ -8,8 +8,7 @@ foreach(package CLI11 nlohmann_json fmt fcl GTest)
 endforeach()
 
 if(ADD_SOURCES)
-  set(graze -D GRAZE_SOURCES=${SOURCES} -D BUILD_SHARED_LIBS=ON -D GRAZE_INSTALL=ON
-            -D CMAKE_DISABLE_PRECOMPILE_HEADERS=ON -D GRAZE_COMPILE_TOGETHER=OFF)  # so that no include is forgotten
+  set(graze -D GRAZE_SOURCES=${SOURCES} -D BUILD_SHARED_LIBS=ON -D GRAZE_INSTALL=ON)
 else()
   set(graze -D CMAKE_PREFIX_PATH=${PREFIX} -D PAGE=${SOURCES}/README.md -D CMAKE_DISABLE_FIND_PACKAGE_FastFloat=ON)
 endif()
