@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 namespace graze {
 
@@ -34,7 +35,8 @@ inline constexpr std::array kPairVolumes{PairVolume::WideObb, PairVolume::Aabb, 
 const char* name_of(Volume volume);
 const char* name_of(PairVolume volume);
 
-/// Of a volume other than WideObb, which is no Volume and for which this throws InputError.
-Volume binary_volume(PairVolume volume);
+/// The same as a Volume; nothing for WideObb, which is none. Throws InputError for what is none of
+/// the above.
+std::optional<Volume> binary_volume(PairVolume volume);
 
 }  // namespace graze

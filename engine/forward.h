@@ -108,7 +108,7 @@ struct PlacedShape;
 struct PlacedShapeView;
 struct ContactFeature;
 class Manifold;
-struct MeshSides;
+class MeshSides;
 struct ShapeCast;
 struct ShapeContact;
 struct ShapeDistance;

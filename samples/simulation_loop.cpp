@@ -181,7 +181,7 @@ class Simulation {
     double first = 2;
     for (const graze::BodyFirstContact& met : update.first_contacts) {
       const bool is_hit = met.contact.status == graze::RigidStatus::Hit;
-      if (!met.touches_at_start && is_hit) first = std::min(first, met.contact.high);
+      if (!met.is_at_start && is_hit) first = std::min(first, met.contact.high);
     }
     if (first > 1) return false;
     RigidBody& pellet = bodies_.back();

@@ -198,7 +198,7 @@ void OverlapTracker::look_up_some(std::size_t first) {
     after[i] = set_.store().contains(change.proxy) ? set_.store().box(change.proxy) : no_box();
   }
   overlaps_.clear();
-  set_.search().find_overlapping_either({before, count}, {after, count}, lookup_, overlaps_);
+  set_.search().look_up_movers({before, count}, {after, count}, lookup_, overlaps_);
   for (const MoverOverlap& found : overlaps_) {
     const std::uint32_t proxy = changed_box_of(movers_[first + found.mover]).proxy;
     const BoxPair pair = ordered_pair(proxy, found.proxy);
@@ -265,7 +265,7 @@ void OverlapTracker::work_out_difference() {
   if (!is_grouped_) rows_.group(pairs_.pairs(), set_.store().proxy_limit());
   is_before_grouped_ = is_grouped_ = true;
   begun_.clear(), ended_.clear();  // an earlier call may have thrown halfway
-  append_difference(rows_before_, rows_, rows_to_sort_, begun_, ended_);
+  append_changes(rows_before_, rows_, rows_to_sort_, begun_, ended_);
   has_difference_ = true;
 }
 

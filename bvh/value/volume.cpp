@@ -26,11 +26,14 @@ const char* name_of(Volume volume) {
 }
 
 const char* name_of(PairVolume volume) {
-  return volume == PairVolume::WideObb ? "wide" : name_of(binary_volume(volume));
+  const std::optional<Volume> binary = binary_volume(volume);
+  return binary ? name_of(*binary) : "wide";
 }
 
-Volume binary_volume(PairVolume volume) {
+std::optional<Volume> binary_volume(PairVolume volume) {
   switch (volume) {
+    case PairVolume::WideObb:
+      return std::nullopt;
     case PairVolume::Aabb:
       return Volume::Aabb;
     case PairVolume::Sphere:
@@ -39,9 +42,8 @@ Volume binary_volume(PairVolume volume) {
       return Volume::Obb;
     case PairVolume::KDop:
       return Volume::KDop;
-    default:
-      refuse(static_cast<int>(volume));
   }
+  refuse(static_cast<int>(volume));
 }
 
 }  // namespace graze

@@ -12,17 +12,16 @@
 #include <graze/bvh/ray.h>
 #include <graze/bvh/sphere.h>
 #include <graze/engine/cases/case_intersection.h>
-#include <graze/engine/mesh/interior.h>
 #include <graze/engine/mesh/mesh.h>
 #include <graze/engine/mesh/mesh_ray.h>
 #include <graze/engine/mesh/pair.h>
 #include <graze/engine/mesh/placed_mesh.h>
+#include <graze/engine/mesh/query_settings.h>
 #include <graze/engine/mesh/rigid_contact.h>
 #include <graze/engine/mesh/rigid_motion.h>
 #include <graze/engine/mesh/self.h>
 #include <graze/engine/world/manifold.h>
 #include <graze/engine/world/shape.h>
-#include <graze/narrowphase/touch.h>
 #include <graze/narrowphase/triangle.h>
 
 namespace graze {
@@ -90,10 +89,11 @@ enum class Ask {
 
 /// The settings that can change an answer, and no others.
 struct CaseSettings {
-  Touch touch = Touch::Include;           ///< of two meshes' or triangles' Any, and meshes' Pairs
-  Interior interior = Interior::Surface;  ///< of Any about a mesh and another or a volume
-  double clearance = 0;                   ///< metres, of Ask::Within, FirstContact and Free
-  double tolerance = 1e-6;                ///< metres, of Ask::FirstContact and Free
+  /// Of two meshes' Any; of two triangles' Any and meshes' Pairs Touching or Crossing; of a mesh's
+  /// and a volume's Any Touching or Solid.
+  Hit hit = Hit::Touching;
+  double clearance = 0;     ///< metres, of Ask::Within, FirstContact and Free
+  double tolerance = 1e-6;  ///< metres, of Ask::FirstContact and Free
   /// Of Ask::Separation, of any length; none: the best that is found.
   std::optional<Eigen::Vector3d> direction = {};
   SelfPairKind self_kind = SelfPairKind::Intersecting;  ///< of Ask::SelfPairs

@@ -45,7 +45,7 @@ bool intersects(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b, Pair
                 const MemoryQuerySettings& settings = {}, Work* work = nullptr);
 
 /// find_triangle_pairs(), likewise. With more threads than one, and where there are more pairs than
-/// a limit, it saves only where nothing touches. More threads beside a limit are an InputError.
+/// a limit, it saves only where nothing touches.
 TrianglePairs find_triangle_pairs(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b,
                                   PairMemory& memory, const MemoryPairSettings& settings = {},
                                   Work* work = nullptr);

@@ -48,8 +48,9 @@ struct PairSettings {
   PairVolume volume = PairVolume::WideObb;
   /// Which pairs count.
   Touch touch = Touch::Include;
-  /// How many threads share the query at most; 0: all that there are. Which pairs come first is for
-  /// one thread to say: InputError for more beside a limit, or beside another volume than WideObb.
+  /// How many threads share the query at most; 0: all that there are. A query with a limit and one
+  /// by another volume than WideObb run on one, whatever is allowed: which pairs come first is for
+  /// one thread to say.
   int threads = 1;
 };
 
@@ -57,7 +58,7 @@ struct PairSettings {
 struct MemoryPairSettings {
   std::size_t limit = kNoLimit;  ///< as of PairSettings
   Touch touch = Touch::Include;  ///< which pairs count
-  int threads = 1;               ///< as of PairSettings, where the volume is WideObb
+  int threads = 1;               ///< as of PairSettings
 };
 
 /// find_intersection().

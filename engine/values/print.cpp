@@ -285,7 +285,7 @@ std::ostream& operator<<(std::ostream& out, const BodyPairDistance& found) {
 std::ostream& operator<<(std::ostream& out, const BodyFirstContact& found) {
   return write_pair(out, found.pair, found.part_a, found.part_b)
          << found.contact
-         << Text(found.touches_at_start ? ", touching at the start" : "", ", point ", found.point,
+         << Text(found.is_at_start ? ", touching at the start" : "", ", point ", found.point,
                  ", normal ", found.normal);
 }
 /// A body, and its part if that has a number other than 0.

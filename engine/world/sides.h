@@ -13,15 +13,30 @@ enum class Sides : std::uint8_t {
             ///< two more triangles one way than the other
 };
 
-/// The same with its thickness. Of other shapes than meshes only Surface is possible, and of
-/// height fields no Solid.
-struct MeshSides {
-  Sides sides = Sides::Surface;  ///< what counts
-  /// Metres, of OneSided: finite and above 0; of the others 0. How far behind the surface the
-  /// nearest point of a body may be.
-  double thickness = 0;
+/// Says which sides of a mesh count, and up to which thickness. Other shapes than meshes have a
+/// surface() only, and a height field is never solid().
+class MeshSides {
+ public:
+  /// The same as surface().
+  constexpr MeshSides() = default;
 
-  bool operator==(const MeshSides&) const = default;
+  static constexpr MeshSides surface() { return {}; }
+  static constexpr MeshSides solid() { return {Sides::Solid, 0}; }
+  /// `thickness` says how far behind the surface the nearest point of a body may be: metres, finite
+  /// and above 0, or the queries and worlds that are given it throw InputError.
+  static constexpr MeshSides one_sided(double thickness) { return {Sides::OneSided, thickness}; }
+
+  constexpr Sides kind() const { return kind_; }
+  /// Metres; 0 unless one-sided.
+  constexpr double thickness() const { return thickness_; }
+
+  constexpr bool operator==(const MeshSides&) const = default;
+
+ private:
+  constexpr MeshSides(Sides kind, double thickness) : kind_(kind), thickness_(thickness) {}
+
+  Sides kind_ = Sides::Surface;
+  double thickness_ = 0;  ///< metres
 };
 
 }  // namespace graze

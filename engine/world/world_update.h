@@ -36,7 +36,7 @@ struct BodyFirstContact {
   /// mesh at 0, which does not turn, is listed with it once more, with the first triangle that it
   /// comes to after that and does not slide along (WorldSettings::sliding_depth), as a wall is for
   /// what lies on the floor beside it; two meshes, or convex bodies, that are so near are not.
-  bool touches_at_start;
+  bool is_at_start;
   /// At `low`, unit, from pair.a to pair.b; zero where nothing tells it: for two half-spaces and
   /// for shapes of a user's own.
   Eigen::Vector3d normal;

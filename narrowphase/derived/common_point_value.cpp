@@ -14,26 +14,26 @@ using Corners3 = double[3][3];
 
 /// The point of an edge, from + (to - from) * ratio, at which it meets what is named: the plane of
 /// a triangle, or the line of an edge in the same plane.
-struct Crossing {
+struct EdgePoint {
   const double* from;
   const double* to;
   const double* other[3];  // two of them for an edge
   enum class Through { Plane, Line } through;
 };
 
-Crossing crossing_of(const CommonPoint& point, const OrderedTriangles& t) {
+EdgePoint edge_point_of(const CommonPoint& point, const OrderedTriangles& t) {
   const auto edge_and_plane = [](const Corners3& line, int edge, const Corners3& plane) {
-    return Crossing{line[kEdges[edge][0]],
-                    line[kEdges[edge][1]],
-                    {plane[0], plane[1], plane[2]},
-                    Crossing::Through::Plane};
+    return EdgePoint{line[kEdges[edge][0]],
+                     line[kEdges[edge][1]],
+                     {plane[0], plane[1], plane[2]},
+                     EdgePoint::Through::Plane};
   };
   if (point.kind == Kind::EdgeOfA) return edge_and_plane(t.a, point.a, t.b);
   if (point.kind == Kind::EdgeOfB) return edge_and_plane(t.b, point.b, t.a);
   return {t.a[kEdges[point.a][0]],
           t.a[kEdges[point.a][1]],
           {t.b[kEdges[point.b][0]], t.b[kEdges[point.b][1]], nullptr},
-          Crossing::Through::Line};
+          EdgePoint::Through::Line};
 }
 
 /// Component `axis` of a cross product.
@@ -53,7 +53,7 @@ struct Ratio {
 /// Where the edge meets the plane: h_from / (h_from - h_to), heights of opposite signs. Degree
 /// three.
 template <typename Minus>
-auto ratio_through_plane(const Crossing& c, const Minus& minus) {
+auto ratio_through_plane(const EdgePoint& c, const Minus& minus) {
   const auto normal = cross(minus(c.other[1], c.other[0]), minus(c.other[2], c.other[0]));
   const auto from = dot(normal, minus(c.from, c.other[0]));
   const auto to = dot(normal, minus(c.to, c.other[0]));
@@ -62,7 +62,7 @@ auto ratio_through_plane(const Crossing& c, const Minus& minus) {
 
 /// Where it meets the line, in the projection along `axis`: (w x v) / (u x v). Degree two.
 template <typename Minus>
-auto ratio_through_line(const Crossing& c, int axis, const Minus& minus) {
+auto ratio_through_line(const EdgePoint& c, int axis, const Minus& minus) {
   const auto v = minus(c.other[1], c.other[0]);
   const auto numerator = cross_component(minus(c.other[0], c.from), v, axis);
   return Ratio<decltype(numerator - numerator)>{numerator,
@@ -74,7 +74,7 @@ double size_of(const double* a, const double* b) {
 }
 
 /// The axis along which the two edges are least parallel.
-int crossing_axis(const Crossing& c) {
+int crossing_axis(const EdgePoint& c) {
   int best = 0;
   double best_area = -1;
   for (int axis = 0; axis < 3; ++axis) {
@@ -102,10 +102,10 @@ constexpr double kLargest = 0x1p+100;
 // of size M have D and L at most 2 M: below 2^-55 M, a quarter of an ulp of M.
 constexpr double kFlattest = 0x1p-36;
 
-std::optional<std::array<double, 3>> rounded_value(const Crossing& c) {
+std::optional<std::array<double, 3>> rounded_value(const EdgePoint& c) {
   const double length = size_of(c.to, c.from);
   const double start = size_of(c.from, c.other[0]);
-  const bool is_plane = c.through == Crossing::Through::Plane;
+  const bool is_plane = c.through == EdgePoint::Through::Plane;
   const double side =
       std::max(size_of(c.other[1], c.other[0]), is_plane ? size_of(c.other[2], c.other[0]) : 0.0);
   if (!(std::min(length, side) >= kSmallest &&
@@ -122,7 +122,7 @@ std::optional<std::array<double, 3>> rounded_value(const Crossing& c) {
                                rounded_sum(c.from[2], offset.z)};
 }
 
-CommonUnit common_unit(const Crossing& c) {
+CommonUnit common_unit(const EdgePoint& c) {
   CommonUnit unit({});
   unit.include(c.from, 3);
   unit.include(c.to, 3);
@@ -133,19 +133,19 @@ CommonUnit common_unit(const Crossing& c) {
 }
 
 /// The projection along this axis shows the crossing.
-int exact_crossing_axis(const Crossing& c, const CommonUnit& unit) {
+int exact_crossing_axis(const EdgePoint& c, const CommonUnit& unit) {
   const BigVector normal = cross(BigVector::difference(c.to, c.from, unit),
                                  BigVector::difference(c.other[1], c.other[0], unit));
   if (normal.x.sign() != Sign::Zero) return 0;
   return normal.y.sign() != Sign::Zero ? 1 : 2;
 }
 
-std::array<double, 3> exact_value(const Crossing& c) {
+std::array<double, 3> exact_value(const EdgePoint& c) {
   const CommonUnit unit = common_unit(c);
   const auto minus = [&](const double* a, const double* b) {
     return BigVector::difference(a, b, unit);
   };
-  auto ratio = c.through == Crossing::Through::Plane
+  auto ratio = c.through == EdgePoint::Through::Plane
                    ? ratio_through_plane(c, minus)
                    : ratio_through_line(c, exact_crossing_axis(c, unit), minus);
   if (ratio.denominator.sign() == Sign::Negative) {
@@ -168,7 +168,7 @@ std::array<double, 3> value_of(const CommonPoint& point, const OrderedTriangles&
                          : point.kind == Kind::VertexOfB ? triangles.b[point.b]
                                                          : nullptr;
   if (vertex != nullptr) return {vertex[0], vertex[1], vertex[2]};
-  const Crossing crossing = crossing_of(point, triangles);
+  const EdgePoint crossing = edge_point_of(point, triangles);
   if (const auto value = rounded_value(crossing)) return *value;
   return exact_value(crossing);
 }

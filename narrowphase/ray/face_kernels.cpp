@@ -133,14 +133,14 @@ struct Face {
 };
 
 /// A face's plane and its ray.
-struct Crossing {
+struct FaceLine {
   hn::Vec<Tag> normal;
   double along;  ///< n . d, of which the sign matters
   double scale;
 };
 
 /// The values, as ray_values.cpp has them.
-HWY_NOINLINE bool slow_crossing(const Face& face, Crossing& found) {
+HWY_NOINLINE bool slow_crossing(const Face& face, FaceLine& found) {
   const Vectors n = cross(face.u, face.v);
   const Vectors ahead = n * face.w, along = n * Vectors{face.d, hn::Zero(Tag())};
   const BothVectors highs(ahead.high, along.high), lows(ahead.low, along.low);
@@ -182,7 +182,7 @@ constexpr double kNormalsApart = 0x1p-101;
 // twice that of their quotient, whose own rounding is below 2^-100.
 constexpr double kScalesApart = 0x1p-64;
 
-HWY_INLINE bool quick_crossing(const Face& face, Crossing& found) {
+HWY_INLINE bool quick_crossing(const Face& face, FaceLine& found) {
   const Tag tag;
   const Vectors a = turned(face.u), b = turned(face.v);
   const Vectors c = turned(a), e = turned(b);
@@ -228,7 +228,7 @@ bool face_values(const FaceInput& in, FaceValues& out) {
   const Tag tag;
   const Face face(in);
   if (!face.is_in_range) return false;
-  Crossing found;
+  FaceLine found;
   if (!quick_crossing(face, found) && !slow_crossing(face, found)) return false;
   out.against_normal = found.along;
   out.scale = found.scale;

@@ -1,7 +1,7 @@
 // The signs of crossing_stages.cpp directly after t = 0: an orientation changes steadily with t, so
 // where it is zero at t = 0 its slope has the sign that it has then.
 
-#include <graze/narrowphase/predicates/fixed_point.h>
+#include <graze/narrowphase/predicates/plane_sides.h>
 #include <graze/narrowphase/translation/axes.h>
 #include <graze/narrowphase/translation/translation.h>
 

@@ -6,7 +6,7 @@
 
 #include <graze/narrowphase/crossing.h>
 #include <graze/narrowphase/predicates/coordinates.h>
-#include <graze/narrowphase/predicates/fixed_point.h>
+#include <graze/narrowphase/predicates/plane_sides.h>
 #include <graze/narrowphase/predicates/predicates.h>
 #include <graze/narrowphase/triangle_pair/inside_contact.h>
 

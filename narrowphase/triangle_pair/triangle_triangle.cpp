@@ -3,6 +3,7 @@
 #include <graze/narrowphase/predicates/coordinates.h>
 #include <graze/narrowphase/predicates/coplanar.h>
 #include <graze/narrowphase/predicates/fixed_point.h>
+#include <graze/narrowphase/predicates/plane_sides.h>
 #include <graze/narrowphase/predicates/predicates.h>
 #include <graze/narrowphase/triangle_pair/triangle_pair_batch.h>
 #include <graze/narrowphase/triangle_triangle.h>

@@ -206,5 +206,5 @@ int main() {
   how_it_looks(world);
   world.remove(ball);
   expect(!world.contains(ball) && world.size() == 1, "it is gone");
-  expect(world.sides(floor).sides == graze::Sides::Surface, "what is in a mesh may count, too");
+  expect(world.sides(floor).kind() == graze::Sides::Surface, "what is in a mesh may count, too");
 }

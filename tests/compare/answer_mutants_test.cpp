@@ -116,10 +116,10 @@ void judge_meshes(Tally& tally, RandomSource& source, const Mesh& mesh_a, const 
   const CaseMesh b(mesh_b, pose);
   for (const Ask ask : kMeshQuestions)
     tally.judge(asking(ask, a, b, {.clearance = ask == Ask::Within ? 0.125 : 0}), source);
-  tally.judge(asking(Ask::Any, a, b, {.touch = Touch::Exclude}), source);
-  tally.judge(asking(Ask::Pairs, a, b, {.touch = Touch::Exclude}), source);
+  tally.judge(asking(Ask::Any, a, b, {.hit = Hit::Crossing}), source);
+  tally.judge(asking(Ask::Pairs, a, b, {.hit = Hit::Crossing}), source);
   tally.judge(asking(Ask::Pairs, a, b, {.limit = 3}), source);
-  tally.judge(asking(Ask::Any, a, b, {.interior = Interior::Solid}), source);
+  tally.judge(asking(Ask::Any, a, b, {.hit = Hit::Solid}), source);
   tally.judge(asking(Ask::Separation, a, b, {.direction = Vector3d(1, 2, 3)}), source);
 }
 
@@ -137,7 +137,7 @@ void judge_rays_and_points(Tally& tally, RandomSource& source, const Mesh& mesh,
   for (const CaseShape& volume : {CaseShape(box), CaseShape(Obb{pose, {0.25, 0.5, 0.125}}),
                                   CaseShape(Sphere{ray.origin, 0.5})}) {
     tally.judge(asking(Ask::Any, a, volume), source);
-    tally.judge(asking(Ask::Any, a, volume, {.interior = Interior::Solid}), source);
+    tally.judge(asking(Ask::Any, a, volume, {.hit = Hit::Solid}), source);
     tally.judge(asking(Ask::Pairs, a, volume), source);
     tally.judge(asking(Ask::Pairs, a, volume, {.limit = 1}), source);
     tally.judge(asking(Ask::Contains, volume, CasePoint{source.vector(-0.5, 0.5)}), source);

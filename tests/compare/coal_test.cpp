@@ -183,8 +183,8 @@ Shape pyramid(int sides) {
 TEST_F(Coal, WhatItDoesNotKnowItIsNotAsked) {
   const std::unique_ptr<LoadedPair> pair = coal_->load(torus_, ball_);
   const Pose pose = Pose::Identity();
-  EXPECT_FALSE(pair->answer({Ask::Any, {.touch = Touch::Exclude}}, pose, pose));
-  EXPECT_FALSE(pair->answer({Ask::Any, {.interior = Interior::Solid}}, pose, pose));
+  EXPECT_FALSE(pair->answer({Ask::Any, {.hit = Hit::Crossing}}, pose, pose));
+  EXPECT_FALSE(pair->answer({Ask::Any, {.hit = Hit::Solid}}, pose, pose));
   EXPECT_FALSE(pair->answer({Ask::Separation, {}}, pose, pose));
 
   const std::vector<Shape> shapes = {Sphere{{0, 0, 0}, 1}, pyramid(254), pyramid(255)};

@@ -99,9 +99,9 @@ void BoxSearch::find_overlapping(const OrderedBox& box, std::vector<std::uint32_
   }
 }
 
-void BoxSearch::find_overlapping_either(std::span<const OrderedBox> before,
-                                        std::span<const OrderedBox> after, Lookup& lookup,
-                                        std::vector<MoverOverlap>& out) const {
+void BoxSearch::look_up_movers(std::span<const OrderedBox> before,
+                               std::span<const OrderedBox> after, Lookup& lookup,
+                               std::vector<MoverOverlap>& out) const {
   for (std::uint32_t layer = 0; layer < store_.layers.size(); ++layer) {
     if (store_.layers[layer].block_count != 0)
       bvh::find_overlapping_either(view(layer), before, after, lookup, out);

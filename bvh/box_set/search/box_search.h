@@ -25,9 +25,8 @@ class BoxSearch {
   void find_overlapping(const OrderedBox& box, std::vector<std::uint32_t>& out) const;
 
   /// Appends what overlaps movers where they were or where they are, up to 16 at a time.
-  void find_overlapping_either(std::span<const OrderedBox> before,
-                               std::span<const OrderedBox> after, Lookup& lookup,
-                               std::vector<MoverOverlap>& out) const;
+  void look_up_movers(std::span<const OrderedBox> before, std::span<const OrderedBox> after,
+                      Lookup& lookup, std::vector<MoverOverlap>& out) const;
 
   /// Visits the boxes along a ray, as bvh::walk_along() says.
   void walk_along(const RaySlabs& ray, double& limit, const RayVisitor& visit) const;

@@ -48,8 +48,8 @@ void PairRows::group(std::span<const BoxPair> pairs, std::uint32_t index_count) 
   group_by_first(pairs, index_count, ends_, pairs_);
 }
 
-void append_difference(const PairRows& before, const PairRows& now, RowsToSort& memory,
-                       PairBuffer& begun, PairBuffer& ended) {
+void append_changes(const PairRows& before, const PairRows& now, RowsToSort& memory,
+                    PairBuffer& begun, PairBuffer& ended) {
   const std::uint32_t count = std::max(before.row_count(), now.row_count());
   for (std::uint32_t a = 0; a < count; ++a) {
     const std::span<const BoxPair> left = before.row(a), right = now.row(a);

@@ -88,7 +88,7 @@ struct RowsToSort {
 /// Appends what is in `now` alone to `begun`, and what is in `before` alone to `ended`, ascending.
 /// From one search to the next most rows are the same, and in the same order: then nothing is
 /// sorted.
-void append_difference(const PairRows& before, const PairRows& now, RowsToSort& memory,
-                       PairBuffer& begun, PairBuffer& ended);
+void append_changes(const PairRows& before, const PairRows& now, RowsToSort& memory,
+                    PairBuffer& begun, PairBuffer& ended);
 
 }  // namespace graze::bvh

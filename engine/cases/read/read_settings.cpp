@@ -54,13 +54,12 @@ CaseSettings read_settings(const JsonCursor& root, Ask ask) {
   if (root.has("settings")) {
     const JsonCursor at = root.member("settings");
     at.require_keys({"touch", "interior", "clearance", "tolerance", "direction", "kind", "limit"});
-    if (at.has("touch")) {
-      const bool excludes = is_second(at.member("touch"), "include", "exclude");
-      settings.touch = excludes ? Touch::Exclude : Touch::Include;
-    }
-    if (at.has("interior")) {
-      const bool is_solid = is_second(at.member("interior"), "surface", "solid");
-      settings.interior = is_solid ? Interior::Solid : Interior::Surface;
+    if (at.has("touch") && is_second(at.member("touch"), "include", "exclude"))
+      settings.hit = Hit::Crossing;
+    if (at.has("interior") && is_second(at.member("interior"), "surface", "solid")) {
+      if (settings.hit == Hit::Crossing)
+        at.member("interior").fail("\"solid\" needs \"touch\" to be \"include\"");
+      settings.hit = Hit::Solid;
     }
     read_lengths(at, ask, settings);
     if (at.has("direction")) {
@@ -94,14 +93,11 @@ void check_settings(const JsonCursor& root, const Case& query) {
   if (!root.has("settings")) return;
   const JsonCursor at = root.member("settings");
   const CaseSettings& settings = query.settings;
-  if (settings.touch != Touch::Include && !has_touch(query)) {
+  if (settings.hit == Hit::Crossing && !has_touch(query)) {
     at.member("touch").fail("such a query has no choice but \"include\"");
   }
-  if (settings.interior != Interior::Surface && !has_interior(query)) {
+  if (settings.hit == Hit::Solid && !has_interior(query)) {
     at.member("interior").fail("such a query has no choice but \"surface\"");
-  }
-  if (settings.interior != Interior::Surface && settings.touch != Touch::Include) {
-    at.member("interior").fail("\"solid\" needs \"touch\" to be \"include\"");
   }
 }
 

@@ -44,7 +44,7 @@ struct AnyAnswer {
   Work* work;
 
   bool operator()(const Triangle& a, const Triangle& b) const {
-    return intersects(a, b, query.settings.touch);
+    return intersects(a, b, touch_of(query.settings.hit));
   }
   template <typename B>
   bool operator()(const Triangle& a, const B& b) const {
@@ -52,8 +52,7 @@ struct AnyAnswer {
     refuse(query);
   }
   bool operator()(const CaseMesh& a, const CaseMesh& b) const {
-    return intersects(placed(a), placed(b),
-                      {.hit = hit_of(query.settings.touch, query.settings.interior)}, work);
+    return intersects(placed(a), placed(b), {.hit = query.settings.hit}, work);
   }
   bool operator()(const CaseBody& a, const CaseBody& b) const {
     return intersects({a.shape, a.pose}, {b.shape, b.pose}, work);
@@ -61,8 +60,9 @@ struct AnyAnswer {
   template <typename B>
   bool operator()(const CaseMesh& a, const B& b) const {
     if constexpr (requires { intersects(placed(a), b, VolumeQuerySettings{}, work); }) {
-      hit_of(query.settings.touch, query.settings.interior);
-      return intersects(placed(a), b, {.interior = query.settings.interior}, work);
+      const bool is_solid = query.settings.hit == Hit::Solid;
+      return intersects(placed(a), b, {.interior = is_solid ? Interior::Solid : Interior::Surface},
+                        work);
     }
     refuse(query);
   }
@@ -84,7 +84,8 @@ struct ListAnswer {
 
   CaseAnswer operator()(const CaseMesh& b) const {
     return answer_of(find_triangle_pairs(
-        placed(a), placed(b), {.limit = limit_of(query), .touch = query.settings.touch}, work));
+        placed(a), placed(b), {.limit = limit_of(query), .touch = touch_of(query.settings.hit)},
+        work));
   }
   template <typename B>
   CaseAnswer operator()(const B& b) const {

@@ -31,9 +31,8 @@ Case make_case(Ask ask, CaseShape a, std::optional<CaseShape> b, CaseAnswer answ
           .answered_by = this_library()};
 }
 
-CaseSettings settings_of(const QuerySettings& settings) {
-  return {.touch = touch_of(settings.hit),
-          .interior = settings.hit == Hit::Solid ? Interior::Solid : Interior::Surface};
+Hit hit_of(Touch touch) {
+  return touch == Touch::Exclude ? Hit::Crossing : Hit::Touching;
 }
 
 CaseAnswer says_so(bool is_so) {
@@ -46,16 +45,18 @@ CaseAnswer says_so(bool is_so) {
 
 Case to_case(const PlacedMeshView& a, const PlacedMeshView& b, bool says,
              const QuerySettings& settings) {
-  return make_case(Ask::Any, CaseMesh(a), CaseMesh(b), says_so(says), settings_of(settings));
+  return make_case(Ask::Any, CaseMesh(a), CaseMesh(b), says_so(says), {.hit = settings.hit});
 }
 
 Case to_case(const PlacedMeshView& a, const CaseShape& volume, bool says,
              const VolumeQuerySettings& settings) {
-  return make_case(Ask::Any, CaseMesh(a), volume, says_so(says), {.interior = settings.interior});
+  const bool is_solid = settings.interior == Interior::Solid;
+  return make_case(Ask::Any, CaseMesh(a), volume, says_so(says),
+                   {.hit = is_solid ? Hit::Solid : Hit::Touching});
 }
 
 Case to_case(const Triangle& a, const Triangle& b, Touch touch, bool says) {
-  return make_case(Ask::Any, a, b, says_so(says), {.touch = touch});
+  return make_case(Ask::Any, a, b, says_so(says), {.hit = hit_of(touch)});
 }
 
 Case to_case(const CaseShape& a, const CaseShape& b, bool says) {
@@ -65,7 +66,7 @@ Case to_case(const CaseShape& a, const CaseShape& b, bool says) {
 Case to_case(const PlacedMeshView& a, const PlacedMeshView& b, const TrianglePairs& pairs,
              const PairSettings& settings) {
   return make_case(Ask::Pairs, CaseMesh(a), CaseMesh(b), answer_of(pairs),
-                   {.touch = settings.touch, .limit = limit_of(pairs, settings)});
+                   {.hit = hit_of(settings.touch), .limit = limit_of(pairs, settings)});
 }
 
 Case to_case(const PlacedMeshView& a, const CaseShape& volume, const TriangleList& triangles,

@@ -136,8 +136,8 @@ struct ShapeText {
 std::string settings_text(const CaseSettings& settings, Ask ask) {
   std::string out;
   const auto add = [&](const std::string& member) { out += (out.empty() ? "" : ", ") + member; };
-  if (settings.touch == Touch::Exclude) add("\"touch\": \"exclude\"");
-  if (settings.interior == Interior::Solid) add("\"interior\": \"solid\"");
+  if (settings.hit == Hit::Crossing) add("\"touch\": \"exclude\"");
+  if (settings.hit == Hit::Solid) add("\"interior\": \"solid\"");
   const bool is_of_motion = cases::is_about_motion(ask);
   if (ask == Ask::Within || is_of_motion)
     add(std::string("\"clearance\": ") + json_number(settings.clearance));

@@ -42,7 +42,7 @@ With --json each step gives one line:
    "work":{...}}
 "contacts" is there only with --contacts. Where bodies are swept there is also
   "first_contacts":[{"a":"a","b":"b","status":"hit"|"close","time":S,"low":0..1,"high":0..1,
-   "is_out_of_budget":false,"touches_at_start":false,"normal":[x,y,z],"point":[x,y,z]},...]
+   "is_out_of_budget":false,"is_at_start":false,"normal":[x,y,z],"point":[x,y,z]},...]
 with "low" and "high" as shares of the step. Of a body of several shapes ("parts" in the scene) each part that
 meets has an entry of its own, with its place in the list of parts as "part_a" or "part_b".
 

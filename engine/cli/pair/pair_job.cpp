@@ -119,14 +119,15 @@ bool do_intersect(const PairJob& job, const Pose& pose_b, Work& work) {
   const PlacedMeshView a{job.mesh_a, job.pose_a}, b{job.mesh_b, pose_b};
   if (job.interior == Interior::Solid && job.touch == Touch::Exclude)
     return interiors_intersect(a, b, &work);
-  return intersects(a, b, {.volume = job.volume, .hit = hit_of(job.touch, job.interior)}, &work);
+  const Hit of_surfaces = job.touch == Touch::Exclude ? Hit::Crossing : Hit::Touching;
+  const Hit hit = job.interior == Interior::Solid ? Hit::Solid : of_surfaces;
+  return intersects(a, b, {.volume = job.volume, .hit = hit}, &work);
 }
 
 void ask_for_pairs(const PairJob& job, const Pose& pose_b, int threads, PoseAnswer& answer) {
-  const bool is_shared = job.volume == PairVolume::WideObb;
-  answer.pairs = find_triangle_pairs(
-      {job.mesh_a, job.pose_a}, {job.mesh_b, pose_b},
-      {.volume = job.volume, .touch = job.touch, .threads = is_shared ? threads : 1}, &answer.work);
+  answer.pairs = find_triangle_pairs({job.mesh_a, job.pose_a}, {job.mesh_b, pose_b},
+                                     {.volume = job.volume, .touch = job.touch, .threads = threads},
+                                     &answer.work);
   answer.intersects = !answer.pairs->empty();
   if (job.interior == Interior::Solid && (!answer.intersects || job.touch == Touch::Exclude))
     answer.intersects = do_intersect(job, pose_b, answer.work);

@@ -135,7 +135,7 @@ std::string SimulateReport::text_of(std::size_t step, double time,
 std::string SimulateReport::text_of(const BodyFirstContact& met, double time) const {
   const Names names{scene_};
   const std::string pair = names.text(met.pair, met.part_a, met.part_b);
-  if (met.touches_at_start) return "  touched before: " + pair + "\n";
+  if (met.is_at_start) return "  touched before: " + pair + "\n";
   return fmt::format(
       "  {}: {}: at {:.6g} s, normal ({:.6g}, {:.6g}, {:.6g}), point ({:.6g}, {:.6g}, {:.6g})\n",
       met.contact.status == RigidStatus::Hit ? "met" : "came close", pair, time_of(met, time),
@@ -146,10 +146,10 @@ std::string SimulateReport::json_of(const BodyFirstContact& met, double time) co
   const Names names{scene_};
   return fmt::format(
       "{{{},\"status\":\"{}\",\"time\":{},\"low\":{},\"high\":{},"
-      "\"is_out_of_budget\":{},\"touches_at_start\":{},\"normal\":{},\"point\":{}}}",
+      "\"is_out_of_budget\":{},\"is_at_start\":{},\"normal\":{},\"point\":{}}}",
       names.members(met.pair, met.part_a, met.part_b),
       met.contact.status == RigidStatus::Hit ? "hit" : "close", time_of(met, time), met.contact.low,
-      met.contact.high, met.contact.is_out_of_budget, met.touches_at_start, vector_json(met.normal),
+      met.contact.high, met.contact.is_out_of_budget, met.is_at_start, vector_json(met.normal),
       vector_json(met.point));
 }
 

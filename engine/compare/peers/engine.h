@@ -26,10 +26,7 @@ struct Question {
   std::optional<RigidCourse> course_b = {};
 
   /// Surfaces, touching counts, lists are complete: what engines other than graze can be asked.
-  bool is_plain() const {
-    return settings.touch == Touch::Include && settings.interior == Interior::Surface &&
-           !settings.limit;
-  }
+  bool is_plain() const { return settings.hit == Hit::Touching && !settings.limit; }
 };
 
 /// What an engine did instead of answering: it died, it hung, it wrote what nobody can read. what()

@@ -51,8 +51,8 @@ bool has_clearance(const ComparisonJob& job) {
 JournalHead head_of(const ComparisonJob& job) {
   const CaseSettings& settings = job.question.settings;
   std::string question = name_of(job.question.ask);
-  question += settings.touch == Touch::Exclude ? " exclude" : "";
-  question += settings.interior == Interior::Solid ? " solid" : "";
+  question += settings.hit == Hit::Crossing ? " exclude" : "";
+  question += settings.hit == Hit::Solid ? " solid" : "";
   std::string text = question;
   if (has_clearance(job)) {
     text += json_number(settings.clearance);

@@ -34,13 +34,6 @@ Touch touch_of(Hit hit) {
   return hit == Hit::Crossing ? Touch::Exclude : Touch::Include;
 }
 
-Hit hit_of(Touch touch, Interior interior) {
-  if (interior == Interior::Surface) return touch == Touch::Exclude ? Hit::Crossing : Hit::Touching;
-  check_interior(interior);
-  if (touch == Touch::Include) return Hit::Solid;
-  throw InputError("interior: Interior::Solid needs Touch::Include");
-}
-
 bool is_either_inside(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b, Work& work) {
   return is_any_part_inside(mesh_a, mesh_b, work) || is_any_part_inside(mesh_b, mesh_a, work);
 }

@@ -16,10 +16,6 @@ void check_hit(Hit hit);
 /// Which triangles are a hit by themselves.
 Touch touch_of(Hit hit);
 
-/// What files and command lines ask for in two words. Throws InputError for Interior::Solid without
-/// Touch::Include: triangles that touch without crossing say nothing about the solids.
-Hit hit_of(Touch touch, Interior interior);
-
 /// For closed meshes whose placed surfaces share no point: whether either solid holds a part of the
 /// other. A connected part of one surface then lies wholly inside or wholly outside the other
 /// solid, so that one vertex decides for it. Stops at the first that is inside.

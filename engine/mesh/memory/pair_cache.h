@@ -117,7 +117,7 @@ class PairCache {
   NumberedPose gap_pose_b_;
   double gap_ = -1;  ///< metres, in the two poses above; below 0: unknown
 
-  double rotation_[3][3];  ///< of B in A, in common units, at the last set_poses()
+  double rotation_[3][3];  ///< of B in A, in common units, at the last add_motion()
   double translation_[3];
   bool is_motion_known_ = false;
   static constexpr int kMostQueries = 1 << 20;

@@ -108,7 +108,7 @@ class IntersectionQuery {
       is_any_met = true;
       return on_pair(pair);
     };
-    if (front.unsure_count() > 0 && decide_unsure(front, on_met) == bvh::Walk::Stop) return true;
+    if (front.unsure_count() > 0 && decide_left_open(front, on_met) == bvh::Walk::Stop) return true;
     if (!is_any_met) {
       const double unit = std::max(query_.frame_a.frame.unit(), query_.frame_b.frame.unit());
       cache_.learn_gap(front.proven_gap(*pass) * unit * (1 - 1e-5));
@@ -130,7 +130,7 @@ class IntersectionQuery {
 
  private:
   template <typename OnPair>
-  bvh::Walk decide_unsure(const bvh::WideFront& front, OnPair&& on_pair) {
+  bvh::Walk decide_left_open(const bvh::WideFront& front, OnPair&& on_pair) {
     Candidates candidates(touch_, work_);
     for (std::size_t i = 0; i < front.unsure_count(); ++i) {
       const TrianglePair pair = query_.pair_at(front.unsure(i));
@@ -231,7 +231,7 @@ TrianglePairs find_triangle_pairs(const PlacedMeshView& mesh_a, const PlacedMesh
                                   Work* work) {
   return bvh::in_standard_arithmetic([&]() -> TrianglePairs {
     narrowphase::check_touch(settings.touch);
-    check_threads(settings.threads, settings.limit);
+    check_threads(settings.threads);
     PairCache& cache = recall(memory, mesh_a, mesh_b);
     if (cache.are_still_apart_by(0, work)) return {};
     return find_pairs(mesh_a, mesh_b, cache, settings, work);

@@ -55,20 +55,17 @@ template <typename OnPair>
 void for_each_pair(const PlacedMeshView& a, const PlacedMeshView& b, const PairSettings& settings,
                    Work& work, OnPair&& on_pair) {
   narrowphase::check_touch(settings.touch);
-  if (settings.volume == PairVolume::WideObb)
-    return for_each_wide_pair(a, b, settings.touch, work, on_pair);
-  const Volume volume = binary_volume(settings.volume);
+  const std::optional<Volume> volume = binary_volume(settings.volume);
+  if (!volume) return for_each_wide_pair(a, b, settings.touch, work, on_pair);
   const auto by_volume = [&](const bvh::RelativeFrame& frame, auto&& use) {
-    with_separation(volume, frame, volumes_of(a.mesh, volume, work),
-                    volumes_of(b.mesh, volume, work), use);
+    with_separation(*volume, frame, volumes_of(a.mesh, *volume, work),
+                    volumes_of(b.mesh, *volume, work), use);
   };
   for_each_binary_pair(a, b, settings.touch, work, by_volume, on_pair);
 }
 
-void check_sharing(const PairSettings& settings) {
-  check_threads(settings.threads, settings.limit);
-  if (settings.threads != 1 && settings.volume != PairVolume::WideObb)
-    throw InputError("threads: a query by another volume than wide boxes is for one thread alone");
+bool is_unlimited(const PairSettings& settings) {
+  return settings.limit == kNoLimit;
 }
 
 }  // namespace
@@ -109,9 +106,9 @@ TrianglePairs find_triangle_pairs(const PlacedMeshView& mesh_a, const PlacedMesh
                                   const PairSettings& settings, Work* work) {
   return bvh::in_standard_arithmetic([&]() -> TrianglePairs {
     CountedWork counted(work);
-    check_sharing(settings);
+    check_threads(settings.threads);
     TrianglePairs found;
-    if (settings.threads != 1) {
+    if (settings.threads != 1 && is_unlimited(settings) && settings.volume == PairVolume::WideObb) {
       narrowphase::check_touch(settings.touch);
       if (are_balls_apart(mesh_a, mesh_b, &counted.work())) return found;
       const WideQuery query(mesh_a, mesh_b, counted.work());

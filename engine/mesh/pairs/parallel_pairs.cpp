@@ -56,7 +56,7 @@ class ParallelPairs {
     bvh::FoundPair places[bvh::WidePairWalk::kMany];
     for (std::size_t alone = 0; alone < kPairsAlone;) {
       const std::size_t count = first_.next(places);
-      query_.decide({places, count}, candidates, into(found));
+      query_.decide_found({places, count}, candidates, into(found));
       if (count == 0) return true;
       alone += count;
     }
@@ -89,7 +89,7 @@ class ParallelPairs {
     bvh::FoundPair places[bvh::WidePairWalk::kMany];
     for (; turn; turn = shared_.take(walk)) {
       while (const std::size_t count = walk.next(places)) {
-        query_.decide({places, count}, candidates, into(found));
+        query_.decide_found({places, count}, candidates, into(found));
         if (shared_.is_wanted()) shared_.give(walk);
       }
       turn.reset();

@@ -2,7 +2,6 @@
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/bvh/value/parallel.h>
 #include <graze/engine/mesh/query/threads.h>
-#include <graze/engine/mesh/query_settings.h>
 
 #include <tbb/task_arena.h>
 
@@ -14,12 +13,6 @@ namespace graze {
 void check_threads(int threads) {
   if (threads >= 0) return;
   throw InputError("threads: " + std::to_string(threads) + " is not a number of threads");
-}
-
-void check_threads(int threads, std::size_t limit) {
-  check_threads(threads);
-  if (threads != 1 && limit != kNoLimit)
-    throw InputError("threads: a query with a limit is for one thread alone");
 }
 
 void run_in_arena(int threads, const std::function<void()>& body) {

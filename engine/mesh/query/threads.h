@@ -10,10 +10,6 @@ namespace graze {
 /// Throws InputError for a number of threads below 0.
 void check_threads(int threads);
 
-/// Likewise for more threads than one (0: all that there are) beside a limit: which of many come
-/// first is for one thread to say.
-void check_threads(int threads, std::size_t limit);
-
 /// Calls `body`, whose tasks so many threads at most work on (0: all that there are). Isolated: a
 /// thread that waits in there takes up nothing else.
 void run_in_arena(int threads, const std::function<void()>& body);

@@ -100,8 +100,8 @@ struct WideQuery {
 
   /// Decides some of the pairs that a walk hands out; the rest of them wait in `candidates`.
   template <typename OnPair>
-  bvh::Walk decide(std::span<const bvh::FoundPair> found, Candidates& candidates,
-                   OnPair&& on_pair) const {
+  bvh::Walk decide_found(std::span<const bvh::FoundPair> found, Candidates& candidates,
+                         OnPair&& on_pair) const {
     for (std::size_t i = 0; i < found.size(); ++i) {
       fetch_ahead(found, i);
       const TrianglePair pair = pair_at(found[i].places);
@@ -121,7 +121,8 @@ struct WideQuery {
   bvh::Walk decide_all(bvh::WidePairWalk& walk, Candidates& candidates, OnPair&& on_pair) const {
     bvh::FoundPair found[bvh::WidePairWalk::kMany];
     while (const std::size_t count = walk.next(found)) {
-      if (decide({found, count}, candidates, on_pair) == bvh::Walk::Stop) return bvh::Walk::Stop;
+      if (decide_found({found, count}, candidates, on_pair) == bvh::Walk::Stop)
+        return bvh::Walk::Stop;
     }
     return candidates.decide(on_pair);
   }
@@ -138,7 +139,8 @@ struct WideQuery {
         if (found[i].do_cross && on_pair(pair_at(found[i].places)) == bvh::Walk::Stop)
           return bvh::Walk::Stop;
       }
-      if (decide({found, count}, candidates, on_pair) == bvh::Walk::Stop) return bvh::Walk::Stop;
+      if (decide_found({found, count}, candidates, on_pair) == bvh::Walk::Stop)
+        return bvh::Walk::Stop;
       if (candidates.decide(on_pair) == bvh::Walk::Stop) return bvh::Walk::Stop;
     }
     return bvh::Walk::Continue;

@@ -32,7 +32,7 @@
 #include <graze/engine/mesh/solids/face_cells.h>
 #include <graze/engine/mesh/solids/face_sides.h>
 #include <graze/engine/mesh/solids/representatives.h>
-#include <graze/narrowphase/predicates/fixed_point.h>
+#include <graze/narrowphase/predicates/plane_sides.h>
 #include <graze/narrowphase/triangle_pair/inside_contact.h>
 
 #include <set>

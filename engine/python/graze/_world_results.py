@@ -38,7 +38,7 @@ class BodyFirstContacts(NamedTuple):
     """(k,), no contact before it."""
     high: Doubles
     """(k,), a witness."""
-    touches_at_start: Bools
+    is_at_start: Bools
     """(k,)"""
     point: Doubles
     """(k, 3), at `low`, between the two."""

@@ -149,7 +149,7 @@ void write_first_contacts(std::span<const BodyFirstContact> list, ByteWriter& to
     pairs.write(met.pair);
     to.byte(static_cast<std::uint8_t>(static_cast<unsigned>(met.contact.status) |
                                       (met.contact.is_out_of_budget ? 4U : 0U) |
-                                      (met.touches_at_start ? 8U : 0U)));
+                                      (met.is_at_start ? 8U : 0U)));
     to.real(met.contact.low), to.real(met.contact.high);
     for (const Vector* v : {&met.normal, &met.point})
       for (int i = 0; i < 3; ++i)
@@ -168,7 +168,7 @@ std::vector<BodyFirstContact> read_first_contacts(ByteReader& from, const LastId
     if ((bits & 3) == 3) from.fail("a first contact's status is none");
     met.contact.status = static_cast<RigidStatus>(bits & 3);
     met.contact.is_out_of_budget = (bits & 4) != 0;
-    met.touches_at_start = (bits & 8) != 0;
+    met.is_at_start = (bits & 8) != 0;
     met.contact.low = from.real(), met.contact.high = from.real();
     for (Vector* v : {&met.normal, &met.point})
       for (int i = 0; i < 3; ++i)

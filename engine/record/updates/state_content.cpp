@@ -195,7 +195,7 @@ void check_body(const BodyShape& shape, const Pose& pose, const BodySettings& se
   bvh::check_rigid(pose, "a body");
   check_margin(settings.margin, "a body");
   check_sides(shape.shape(), settings.sides, "a body");
-  bounds_of(shape, false, pose, settings.margin + settings.sides.thickness, "a body");
+  bounds_of(shape, false, pose, settings.margin + settings.sides.thickness(), "a body");
 }
 
 }  // namespace graze::record

@@ -185,7 +185,7 @@ BodyId World::add(const PlacedBodyShape& placed, const BodySettings& settings) {
     check_margin(settings.margin, "add");
     check_sides(known_shape(*shape, is_users), settings.sides, "add");
     const Aabb box =
-        bounds_of(*shape, is_users, pose, settings.margin + settings.sides.thickness, "add");
+        bounds_of(*shape, is_users, pose, settings.margin + settings.sides.thickness(), "add");
     const Mesh* mesh = state.prepared_mesh(*shape, is_users);
     const std::uint32_t index = state.make_room_for_one();
     Bodies::Body& body = state.all.bodies[index];
@@ -295,8 +295,8 @@ void World::set_margin(BodyId id, double margin) {
     State& state = *state_;
     Bodies::Body& body = state.body(id, "set_margin");
     check_margin(margin, "set_margin");
-    const Aabb box = bounds_of(*body.shape, body.is_users, body.pose, margin + body.sides.thickness,
-                               "set_margin");
+    const Aabb box = bounds_of(*body.shape, body.is_users, body.pose,
+                               margin + body.sides.thickness(), "set_margin");
     state.make_room_for_changes(1);
     state.broad.move(state.broad.id(body.box), box);
     body.margin = margin;

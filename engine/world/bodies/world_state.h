@@ -47,7 +47,7 @@ struct Bodies {
       return ask_shape(is_users, [&] { return question(*shape); });
     }
     /// Metres: how far from its shape it may meet another.
-    double room() const { return margin + sides.thickness; }
+    double room() const { return margin + sides.thickness(); }
     bool is_static() const { return kind == BodyKind::Static && role == Role::Solid; }
     bool joins_islands() const { return kind == BodyKind::Dynamic && role == Role::Solid; }
   };

@@ -108,7 +108,7 @@ void add_first_contacts(const BodyPair& pair, const ShapeInMotion& a, const Shap
                         const WorldSettings& settings, const Add& add) {
   BodyFirstContact found{.pair = pair,
                          .contact = contact_of(a, b, settings.sweeps),
-                         .touches_at_start = false,
+                         .is_at_start = false,
                          .normal = Eigen::Vector3d::Zero(),
                          .point = Eigen::Vector3d::Zero(),
                          .part_a = a.part,
@@ -116,7 +116,7 @@ void add_first_contacts(const BodyPair& pair, const ShapeInMotion& a, const Shap
   const double low = found.contact.low;
   if (found.contact.status == RigidStatus::Free) return;
   if (a.motion && b.motion && low == 0) {
-    found.touches_at_start = a.ask([&](const BodyShape& shape) {
+    found.is_at_start = a.ask([&](const BodyShape& shape) {
       return shape.touches(a.motion->start(), b.shape, b.motion->start());
     });
   }
@@ -150,7 +150,7 @@ void add_of_parts(const BodyPair& pair, const BodyInMotion& a, const BodyInMotio
   } catch (const PoseError&) {
     to.assign(1, {.pair = pair,
                   .contact = kUnknown,
-                  .touches_at_start = false,
+                  .is_at_start = false,
                   .normal = Eigen::Vector3d::Zero(),
                   .point = Eigen::Vector3d::Zero()});
   }

@@ -218,9 +218,9 @@ std::optional<MeetingPoints> deepest_of_disc(const FaceOf& round, const FaceOf& 
 }
 
 /// How far a point is beyond an edge of a polygon, as it is seen along a direction; to a factor.
-class Sides {
+class PolygonEdges {
  public:
-  Sides(const ContactFace& face, const Vec3& along) : face_(face) {
+  PolygonEdges(const ContactFace& face, const Vec3& along) : face_(face) {
     const bool is_seen_from_outside = dot(face.normal, along) > 0;
     for (int i = 0; i < face.count; ++i) {
       const Vec3 edge = face.corner[i + 1 == face.count ? 0 : i + 1] - face.corner[i];
@@ -257,7 +257,7 @@ const Vec3& farthest_corner(const ContactFace& face, const Vec3& direction) {
 struct Within {
   double first = 0, last = 1;
 
-  Within(const Sides& sides, const Vec3& from, const Vec3& to) {
+  Within(const PolygonEdges& sides, const Vec3& from, const Vec3& to) {
     for (int i = 0; i < sides.count() && first <= last; ++i) {
       const double start = sides.beyond(i, from), end = sides.beyond(i, to);
       if (start > 0 && end > 0) first = 2;
@@ -274,8 +274,8 @@ std::optional<MeetingPoints> deepest_of_polygons(const ContactFace& a, const Con
   // How the depth grows across the normal.
   const Vec3 slope = b.normal * (1 / facing_b) - a.normal * (1 / facing_a);
   const Vec3& of_a = farthest_corner(a, slope);
-  if (Sides(b, normal).has(of_a)) return MeetingPoints{of_a, on_plane(b, of_a, normal)};
-  const Sides sides(a, normal);
+  if (PolygonEdges(b, normal).has(of_a)) return MeetingPoints{of_a, on_plane(b, of_a, normal)};
+  const PolygonEdges sides(a, normal);
   std::optional<Vec3> best;
   double most = 0;
   for (int i = 0; i < b.count; ++i) {

@@ -115,7 +115,7 @@ TEST_F(CliCompareFolder, ARefusedQuestionIsNamed) {
   const std::vector<Eigen::Vector3d> corners = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
   const std::vector<TriangleIndices> sheet = {{0, 1, 2}};
   query.a = CaseMesh{Mesh(corners, sheet), Pose::Identity()};
-  query.settings.interior = Interior::Solid;
+  query.settings.hit = Hit::Solid;
   put("f-open", query);
   try {
     compare(with_wrong_fcl());

@@ -118,12 +118,12 @@ TEST_F(CliSimulate, FastBodiesAreToldWhomTheyMet) {
   EXPECT_EQ(met["a"], "pane");
   EXPECT_EQ(met["b"], "pellet");
   EXPECT_EQ(met["status"], "hit");
-  EXPECT_EQ(met["touches_at_start"], false);
+  EXPECT_EQ(met["is_at_start"], false);
   EXPECT_NEAR(met["time"].get<double>(), (10 - 0.0025) / 150, 1e-7);
   EXPECT_EQ(steps[2]["work"]["pairs_swept"], 3);
   // The die touches the room all the while, and then its wall.
   const Json &floor = steps[3]["first_contacts"].at(1), &wall = steps[3]["first_contacts"].at(2);
-  EXPECT_EQ(floor["touches_at_start"], true);
+  EXPECT_EQ(floor["is_at_start"], true);
   EXPECT_EQ(wall["a"], "room");
   EXPECT_EQ(wall["b"], "die");
   EXPECT_NEAR(wall["normal"].at(0).get<double>(), -1, 1e-9);

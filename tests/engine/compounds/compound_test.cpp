@@ -122,7 +122,7 @@ TEST(Compound, RefusesWhatItCannotHold) {
   World world;
   const BodyId id = world.add({share(compound), at(0)});
   EXPECT_THROW(world.move(id, slightly), PoseError);
-  EXPECT_THROW(world.add({share(compound), at(0)}, {.sides = {.sides = Sides::Solid}}), InputError);
+  EXPECT_THROW(world.add({share(compound), at(0)}, {.sides = MeshSides::solid()}), InputError);
 }
 
 /// A part without a pose of its own is placed as its body is, to the bit.

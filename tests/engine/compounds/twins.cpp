@@ -215,7 +215,7 @@ std::size_t Twins::expect_same_ways(const WorldUpdate& of_whole, const WorldUpda
   const auto add = [&](std::vector<NamedFirstContact>& list, Named a, Named b,
                        const BodyFirstContact& c) {
     if (bodies_[a.first].is_way_other || bodies_[b.first].is_way_other) return;
-    list.push_back({a, b, c.contact, c.touches_at_start, c.normal, c.point});
+    list.push_back({a, b, c.contact, c.is_at_start, c.normal, c.point});
   };
   for (const BodyFirstContact& c : of_whole.first_contacts)
     add(whole, {c.pair.a.index, c.part_a}, {c.pair.b.index, c.part_b}, c);

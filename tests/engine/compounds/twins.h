@@ -32,7 +32,7 @@ struct NamedContact {
 struct NamedFirstContact {
   Named a, b;
   RigidContact contact;
-  bool touches_at_start;
+  bool is_at_start;
   Eigen::Vector3d normal, point;
   bool operator==(const NamedFirstContact&) const = default;
 };

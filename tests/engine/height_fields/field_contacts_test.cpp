@@ -87,7 +87,7 @@ TEST(HeightFieldContacts, OneSidedAreThoseOfTheMesh) {
       const Shape shape = random_shape(kind, 0.5, source);
       Pose pose = pose_near(twins, field_pose, source);
       pose.translation() -= field_pose.linear() * Eigen::Vector3d(0, 0, source.uniform(0, 1));
-      const MeshSides sides{.sides = Sides::OneSided, .thickness = source.uniform(0.1, 1.5)};
+      const MeshSides sides = MeshSides::one_sided(source.uniform(0.1, 1.5));
       expect_same(twins, field_pose, {shape, pose}, {.sides_b = sides}, counts);
     }
   }
@@ -98,7 +98,7 @@ TEST(HeightFieldContacts, OfSolidsThereAreNone) {
   RandomSource source(14);
   const Shape field = tests::random_parts(Ground::Rough, source).field();
   const Shape ball = Sphere{{0, 0, 0}, 1};
-  EXPECT_THROW(find_contacts({ball}, {field}, {.sides_b = {.sides = Sides::Solid}}), MeshError);
+  EXPECT_THROW(find_contacts({ball}, {field}, {.sides_b = MeshSides::solid()}), MeshError);
 }
 
 TEST(HeightFieldContacts, WithHalfSpacesAndMeshesAreThoseOfTheMesh) {

@@ -92,7 +92,7 @@ std::vector<BodyContact> numbered(std::span<const BodyContact> contacts, const F
 std::vector<std::tuple<BodyPair, double, bool>> times_of(const WorldUpdate& update) {
   std::vector<std::tuple<BodyPair, double, bool>> times;
   for (const BodyFirstContact& each : update.first_contacts)
-    times.emplace_back(each.pair, each.contact.low, each.touches_at_start);
+    times.emplace_back(each.pair, each.contact.low, each.is_at_start);
   return times;
 }
 

@@ -99,7 +99,7 @@ class FirstContactsOfPair {
     to_.push_back({{a_.name, b_.name},
                    {.pair = {},
                     .contact = contact,
-                    .touches_at_start = false,
+                    .is_at_start = false,
                     .normal = Vector3d::Zero(),
                     .point = Vector3d::Zero(),
                     .part_a = part_a,
@@ -114,7 +114,7 @@ class FirstContactsOfPair {
     BodyFirstContact& found = add(met.value_or(kUnknown), s.number, t.number);
     const double low = found.contact.low;
     const Pose at_a = a.motion.at(low), at_b = b.motion.at(low);
-    if (low == 0) found.touches_at_start = intersects({a.shape, at_a}, {b.shape, at_b});
+    if (low == 0) found.is_at_start = intersects({a.shape, at_a}, {b.shape, at_b});
     add_meeting({a.shape, at_a}, {b.shape, at_b}, found);
     to_.back().is_alike = are_alike({0, s.shape, at_a, {}}, {0, t.shape, at_b, {}});
     if (low > 0) return;
@@ -176,7 +176,7 @@ bool are_equal(const NamedFirstContact& found, const NamedFirstContact& truth) {
   const bool is_same_place =
       s.normal == t.normal || (truth.is_alike && s.normal == Vector3d(-t.normal));
   return found.pair == truth.pair && s.part_a == t.part_a && s.part_b == t.part_b &&
-         s.contact == t.contact && s.touches_at_start == t.touches_at_start && is_same_place &&
+         s.contact == t.contact && s.is_at_start == t.is_at_start && is_same_place &&
          s.point == t.point;
 }
 

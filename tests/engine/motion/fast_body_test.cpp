@@ -40,7 +40,7 @@ TEST(FastBody, DoesNotTunnelThroughAWallOfAMicrometre) {
     const BodyFirstContact met = the_only(update);
     EXPECT_EQ(met.pair, (BodyPair{bullet, target}));
     EXPECT_EQ(met.contact.status, RigidStatus::Hit);
-    EXPECT_FALSE(met.touches_at_start);
+    EXPECT_FALSE(met.is_at_start);
     const double time = (105 - 1e-6 - 0.001) / 1000;
     EXPECT_LE(met.contact.low, time);
     EXPECT_NEAR(met.contact.low, time, 1e-8);
@@ -74,11 +74,11 @@ TEST(FastBody, SlidesOnAFloorToTheWall) {
   const WorldUpdate update = world.update();
   ASSERT_EQ(update.first_contacts.size(), 2u);
   EXPECT_EQ(update.first_contacts[0].pair, (BodyPair{floor, box}));
-  EXPECT_TRUE(update.first_contacts[0].touches_at_start);
+  EXPECT_TRUE(update.first_contacts[0].is_at_start);
   EXPECT_EQ(update.first_contacts[0].contact.low, 0);
   EXPECT_NEAR((update.first_contacts[0].normal - Vector3d(0, 0, 1)).norm(), 0, 1e-9);
   EXPECT_EQ(update.first_contacts[1].pair, (BodyPair{box, wall}));
-  EXPECT_FALSE(update.first_contacts[1].touches_at_start);
+  EXPECT_FALSE(update.first_contacts[1].is_at_start);
   EXPECT_NEAR(update.first_contacts[1].contact.low, 9.49 / 20, 1e-6);
 }
 
@@ -269,7 +269,7 @@ TEST(FastBody, UsersShapesAreUnknownUnlessTheyKnow) {
   const RigidContact unknown{RigidStatus::Close, 0, 1, true};
   EXPECT_EQ(update.first_contacts[0].pair, (BodyPair{bullet, mute}));
   EXPECT_EQ(update.first_contacts[0].contact, unknown);
-  EXPECT_FALSE(update.first_contacts[0].touches_at_start);
+  EXPECT_FALSE(update.first_contacts[0].is_at_start);
   EXPECT_EQ(update.first_contacts[1].pair, (BodyPair{bullet, knowing}));
   EXPECT_EQ(update.first_contacts[1].contact.high, 0.75);
   EXPECT_EQ(update.first_contacts[1].normal, Vector3d::Zero());

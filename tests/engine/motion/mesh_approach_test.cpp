@@ -183,11 +183,11 @@ void expect_slide_to_the_wall(const Slide& slide, double bump) {
   const BodyFirstContact &start_contact = update.first_contacts[0],
                          &wall = update.first_contacts[1];
   EXPECT_EQ(start_contact.pair, (BodyPair{level, body}));
-  EXPECT_TRUE(start_contact.touches_at_start);
+  EXPECT_TRUE(start_contact.is_at_start);
   EXPECT_EQ(start_contact.contact.low, 0);
   EXPECT_GT(start_contact.normal.z(), 0.9);
   EXPECT_EQ(wall.pair, (BodyPair{level, body}));
-  EXPECT_FALSE(wall.touches_at_start);
+  EXPECT_FALSE(wall.is_at_start);
   EXPECT_EQ(wall.contact.status, RigidStatus::Hit);
   const double time = (12 - 2.25 - slide.front) / 16;
   EXPECT_LE(wall.contact.low, time);
@@ -215,7 +215,7 @@ TEST(SlidingBody, IsToldOfTheWallWhereItHardlyHovers) {
   world.move(box, at(18.25, 0.1, 0.2500005));
   const WorldUpdate update = world.update();
   ASSERT_EQ(update.first_contacts.size(), 2u);
-  EXPECT_FALSE(update.first_contacts[0].touches_at_start);
+  EXPECT_FALSE(update.first_contacts[0].is_at_start);
   EXPECT_EQ(update.first_contacts[0].contact.low, 0);
   EXPECT_NEAR(update.first_contacts[1].contact.low, 9.5 / 16, 1e-6);
 }
@@ -229,7 +229,7 @@ TEST(SlidingBody, IsToldOfNothingElse) {
   world.move(box, at(11, 0.5, 0.2495));  // short of the wall, and half a millimetre deeper
   WorldUpdate update = world.update();
   ASSERT_EQ(update.first_contacts.size(), 1u);
-  EXPECT_TRUE(update.first_contacts[0].touches_at_start);
+  EXPECT_TRUE(update.first_contacts[0].is_at_start);
   world.move(box, at(2, 0.5, 5));  // up and away
   EXPECT_EQ(world.update().first_contacts.size(), 1u);
   world.move(box, at(11, 0.5, 4));  // through nothing

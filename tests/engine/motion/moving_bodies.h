@@ -79,7 +79,7 @@ inline std::vector<BodyFirstContact> ask_every_pair(const std::vector<KnownBody>
       if (contact.status == RigidStatus::Free) continue;
       found.push_back({.pair = {a.id, b.id},
                        .contact = contact,
-                       .touches_at_start = intersects({a.shape, a.before}, {b.shape, b.before}),
+                       .is_at_start = intersects({a.shape, a.before}, {b.shape, b.before}),
                        .normal = Eigen::Vector3d::Zero(),
                        .point = Eigen::Vector3d::Zero()});
     }

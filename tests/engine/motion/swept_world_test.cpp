@@ -72,7 +72,7 @@ TEST(Law14SweptWorld, SaysWhatEveryPairSays) {
         const BodyFirstContact& found = listed_now[i];
         EXPECT_EQ(found.pair, truth[i].pair);
         EXPECT_EQ(found.contact, truth[i].contact);
-        EXPECT_EQ(found.touches_at_start, truth[i].touches_at_start);
+        EXPECT_EQ(found.is_at_start, truth[i].is_at_start);
         EXPECT_NEAR(found.normal.norm(), 1, 1e-9);
       }
       EXPECT_GE(update.work.pairs_swept, truth.size());

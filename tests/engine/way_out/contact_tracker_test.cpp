@@ -337,7 +337,7 @@ TEST(ContactTracker, OfBodiesThatAreGoneNothingIsKept) {
   Tracked scene;
   RandomSource source(1572);
   const Mesh solid = tests::tessellated_box({1, 1, 1}, 2);
-  scene.world.add({solid}, {.kind = BodyKind::Static, .sides = {.sides = Sides::Solid}});
+  scene.world.add({solid}, {.kind = BodyKind::Static, .sides = MeshSides::solid()});
   for (int n = 0; n < 300; ++n) {
     const BodyId ball = scene.world.add(
         {Sphere{{0, 0, 0}, 0.1}, Pose(Eigen::Translation3d(source.vector(-0.5, 0.5)))});

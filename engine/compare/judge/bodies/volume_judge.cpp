@@ -216,7 +216,7 @@ Judgement judge_surface(const Case& query, const CaseAnswer& answer) {
   Judgement judgement;
   if (query.ask != Ask::Any || !answer.says) return judgement;
   const bool is_hit = !shapes.hits().empty();
-  if (!is_hit && query.settings.interior == Interior::Solid) {
+  if (!is_hit && query.settings.hit == Hit::Solid) {
     const std::optional<bool> is_inside = shapes.is_volume_enclosed();
     if (!is_inside) return judgement;
     if (*is_inside) {

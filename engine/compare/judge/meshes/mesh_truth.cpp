@@ -19,7 +19,7 @@ namespace {
 constexpr std::size_t kMaxExamined = 64;
 
 bool is_solid(const Case& query) {
-  return query.settings.interior == Interior::Solid;
+  return query.settings.hit == Hit::Solid;
 }
 
 }  // namespace
@@ -27,7 +27,8 @@ bool is_solid(const Case& query) {
 MeshTruth::MeshTruth(const Case& the_query, const MeshCase& the_meshes)
     : query_(the_query),
       meshes_(the_meshes),
-      referee_(placed_a(), placed_b(), the_query.settings.touch) {}
+      referee_(placed_a(), placed_b(),
+               the_query.settings.hit == Hit::Crossing ? Touch::Exclude : Touch::Include) {}
 
 const std::vector<TrianglePair>& MeshTruth::hits() {
   std::call_once(hits_once_, [&] { known_hits_ = referee_.find_hits(); });
@@ -51,7 +52,7 @@ void MeshTruth::add_error(Judgement& judgement, const TrianglePair& pair, bool i
   if (!is_a_hit && !is_hit()) contained = [this] { return is_contained(); };
   PairError error = pair_error(placed_a(), placed_b(), pair, is_a_hit, contained);
   // Whether real numbers touch says nothing of whether they cross.
-  const bool is_of_crossing = query_.settings.touch == Touch::Exclude;
+  const bool is_of_crossing = query_.settings.hit == Hit::Crossing;
   if (is_of_crossing && error.error_class == ErrorClass::PoseRounding)
     error.error_class = ErrorClass::Touching;
   const bool is_worse =

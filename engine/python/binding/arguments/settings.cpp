@@ -22,11 +22,12 @@ MeshSides sides_from(py::handle argument, const char* name) {
   if (argument.is_none()) return {};
   if (PyTuple_Check(argument.ptr()) != 0 && py::len(argument) == 2) {
     const auto pair = py::reinterpret_borrow<py::tuple>(argument);
-    return {.sides = word_from<Sides>(pair[0], name, {{"one_sided", Sides::OneSided}}),
-            .thickness = number_from(pair[1], name)};
+    word_from<Sides>(pair[0], name, {{"one_sided", Sides::OneSided}});
+    return MeshSides::one_sided(number_from(pair[1], name));
   }
-  return {.sides = word_from<Sides>(argument, name,
-                                    {{"surface", Sides::Surface}, {"solid", Sides::Solid}})};
+  const auto kind =
+      word_from<Sides>(argument, name, {{"surface", Sides::Surface}, {"solid", Sides::Solid}});
+  return kind == Sides::Solid ? MeshSides::solid() : MeshSides::surface();
 }
 
 std::string path_from(py::handle argument) {

@@ -7,6 +7,7 @@
 #include <graze/bvh/error.h>
 #include <graze/engine/world/bodies/world_state.h>
 
+#include <array>
 #include <map>
 #include <memory>
 #include <string>
@@ -72,9 +73,9 @@ py::tuple tuple_of_body(const Bodies::Body& body, const Bodies::Changes& record,
                         std::size_t shape) {
   return py::make_tuple(
       shape, array_of(body.pose), tuple_of(body.filter), body.user_data, body.margin,
-      body.sides.thickness, body.exclusions, record.path,
+      body.sides.thickness(), body.exclusions, record.path,
       py::make_tuple(static_cast<int>(body.kind), static_cast<int>(body.role),
-                     static_cast<int>(body.detection), static_cast<int>(body.sides.sides),
+                     static_cast<int>(body.detection), static_cast<int>(body.sides.kind()),
                      body.is_awake, record.has_changed, record.has_other_filter,
                      record.has_other_shape));
 }
@@ -97,7 +98,9 @@ void fill_body(Bodies::Body& body, Bodies::Changes& record, const py::tuple& fro
   body.filter = filter_from(from[2]);
   body.user_data = from[3].cast<std::uint64_t>();
   body.margin = from[4].cast<double>();
-  body.sides = {static_cast<Sides>(flags[3]), from[5].cast<double>()};
+  const std::array all_sides{MeshSides::surface(), MeshSides::solid(),
+                             MeshSides::one_sided(from[5].cast<double>())};
+  body.sides = all_sides[static_cast<std::size_t>(flags[3])];
   body.exclusions = from[6].cast<std::uint32_t>();
   body.kind = static_cast<BodyKind>(flags[0]);
   body.role = static_cast<Role>(flags[1]);

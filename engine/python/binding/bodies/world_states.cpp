@@ -17,8 +17,8 @@ const char* word_of_kind(BodyKind kind) {
 }
 
 py::object sides_of(const MeshSides& sides) {
-  if (sides.sides == Sides::OneSided) return py::make_tuple("one_sided", sides.thickness);
-  return py::str(sides.sides == Sides::Solid ? "solid" : "surface");
+  if (sides.kind() == Sides::OneSided) return py::make_tuple("one_sided", sides.thickness());
+  return py::str(sides.kind() == Sides::Solid ? "solid" : "surface");
 }
 
 BodyId single_id(py::handle argument) {

@@ -108,7 +108,7 @@ py::object first_contacts_of(const std::vector<BodyFirstContact>& contacts) {
   std::vector<BodyPair> pairs;
   auto low = new_array<double>({count}), high = new_array<double>({count});
   auto points = new_array<double>({count, 3}), normals = new_array<double>({count, 3});
-  auto is_hit = new_array<bool>({count}), touches_at_start = new_array<bool>({count});
+  auto is_hit = new_array<bool>({count}), is_at_start = new_array<bool>({count});
   pairs.reserve(contacts.size());
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const BodyFirstContact& contact = contacts[i];
@@ -116,11 +116,11 @@ py::object first_contacts_of(const std::vector<BodyFirstContact>& contacts) {
     low.mutable_data()[i] = contact.contact.low;
     high.mutable_data()[i] = contact.contact.high;
     is_hit.mutable_data()[i] = contact.contact.status == RigidStatus::Hit;
-    touches_at_start.mutable_data()[i] = contact.touches_at_start;
+    is_at_start.mutable_data()[i] = contact.is_at_start;
     write(contact.point, points.mutable_data() + 3 * i);
     write(contact.normal, normals.mutable_data() + 3 * i);
   }
-  return kType(array_of_pairs(pairs), is_hit, low, high, touches_at_start, points, normals,
+  return kType(array_of_pairs(pairs), is_hit, low, high, is_at_start, points, normals,
                columns_of(contacts, {&BodyFirstContact::part_a, &BodyFirstContact::part_b}));
 }
 

@@ -98,8 +98,7 @@ py::object pairs_of(py::handle a, py::handle b, py::handle limit, py::handle tou
   Work* work = work_from(work_argument);
   LockedMemory memory(memory_argument, pair);
   if (!pair.is_many()) {
-    const Batch batch(threads, progress);
-    if (settings.limit == kNoLimit) settings.threads = batch.threads;
+    settings.threads = Batch(threads, progress).threads;
     TrianglePairs found;
     {
       const py::gil_scoped_release released;

@@ -91,12 +91,12 @@ void add_nearest_points(const PlacedShapeView& a, const PlacedShapeView& b,
 /// Of two that do not touch.
 bool is_in(const PlacedShapeView& body, const PlacedShapeView& mesh, const MeshSides& sides,
            Work& work) {
-  return sides.sides != Sides::Surface && Enclosure(body, mesh, sides, work).holds();
+  return sides.kind() != Sides::Surface && Enclosure(body, mesh, sides, work).holds();
 }
 
 /// What of a height field is near by the margin, or behind by a thickness.
 FieldNeed need_of(const ManifoldSettings& settings) {
-  const double thickness = std::max(settings.sides_a.thickness, settings.sides_b.thickness);
+  const double thickness = std::max(settings.sides_a.thickness(), settings.sides_b.thickness());
   return {.room = std::max(settings.margin, thickness), .aside = kContactAside};
 }
 
@@ -109,8 +109,8 @@ void check_margin(double margin, const char* what) {
 }
 
 bool are_plain(const ManifoldSettings& settings) {
-  return settings.margin == 0 && settings.sides_a.sides == Sides::Surface &&
-         settings.sides_b.sides == Sides::Surface;
+  return settings.margin == 0 && settings.sides_a.kind() == Sides::Surface &&
+         settings.sides_b.kind() == Sides::Surface;
 }
 
 Nearness nearness(const PlacedShapeView& a, const PlacedShapeView& b,

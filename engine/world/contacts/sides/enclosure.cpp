@@ -42,25 +42,24 @@ void refuse(const Mesh& mesh, const TriangleEdge& edge, const std::string& why) 
 
 void check_sides(const Shape* shape, const MeshSides& sides, const char* what) {
   const std::string begin = std::string(what) + ": ";
-  const bool has_thickness = sides.sides == Sides::OneSided;
-  if (has_thickness ? !(std::isfinite(sides.thickness) && sides.thickness > 0)
-                    : sides.thickness != 0) {
-    throw InputError(begin + "the thickness is " + bvh::number_text(sides.thickness) +
-                     ", but must be " + (has_thickness ? "finite and above 0" : "0"));
+  if (sides.kind() == Sides::OneSided &&
+      !(std::isfinite(sides.thickness()) && sides.thickness() > 0)) {
+    throw InputError(begin + "the thickness is " + bvh::number_text(sides.thickness()) +
+                     ", but must be finite and above 0");
   }
-  if (sides.sides == Sides::Surface) return;
+  if (sides.kind() == Sides::Surface) return;
   if (shape != nullptr && shape->kind() == ShapeKind::HeightField) {
     // Its triangles go on from each other at each edge.
-    if (sides.sides == Sides::OneSided) return;
+    if (sides.kind() == Sides::OneSided) return;
     throw MeshError(begin + "a height field has a border, and a solid has none");
   }
   const Mesh* mesh = shape == nullptr ? nullptr : shape->as<Mesh>();
   if (mesh == nullptr) throw InputError(begin + "only meshes and height fields have sides");
   const Orientation& orientation = orientation_of(*mesh);
-  if (sides.sides == Sides::Solid) {
+  if (sides.kind() == Sides::Solid) {
     if (orientation.unpaired)
       refuse(*mesh, *orientation.unpaired,
-             begin + "a solid needs as many triangles one bounded as the other at each edge");
+             begin + "a solid needs as many triangles one way as the other at each edge");
   } else if (orientation.turned) {
     refuse(*mesh, *orientation.turned,
            begin + "one side needs triangles that go on from each other at each edge");
@@ -69,7 +68,7 @@ void check_sides(const Shape* shape, const MeshSides& sides, const char* what) {
 
 bool Enclosure::holds() const {
   if (body_.shape.kind() == ShapeKind::HalfSpace) return false;  // no finite exit leads out
-  switch (sides_.sides) {
+  switch (sides_.kind()) {
     case Sides::Surface:
       return false;
     case Sides::Solid:
@@ -96,7 +95,7 @@ bool Enclosure::is_inside() const {
 /// By the sum of the normals about the point of the mesh that is nearest.
 bool Enclosure::is_behind() const {
   const ShapeDistance nearest = distance(body_, {mesh_.mesh, mesh_.pose}, &work_);
-  if (nearest.distance > sides_.thickness) return false;
+  if (nearest.distance > sides_.thickness()) return false;
   const Vec3 to_body = to_vec3(nearest.point_a) - to_vec3(nearest.point_b);
   const double size = largest(to_vec3(nearest.point_b)) + nearest.distance;
   const TriangleList around =
@@ -172,7 +171,7 @@ void Enclosure::add(ContactCandidates& candidates) const {
   double nearest_distance = std::numeric_limits<double>::infinity();
   double counted = nearest_distance;  // as how long the best exit counts
   const auto limit = [&] {
-    return sides_.sides == Sides::OneSided ? std::min(counted, sides_.thickness) : counted;
+    return sides_.kind() == Sides::OneSided ? std::min(counted, sides_.thickness()) : counted;
   };
   descent.for_each_within(limit, [&](std::uint32_t index) {
     const Core triangle = descent.triangle(index);
