@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "data/generator/approach.h"
-#include "data/generator/link.h"
+#include "data/generator/parts/link.h"
 
 namespace graze::generator {
 namespace {

@@ -1,7 +1,7 @@
 #include <numbers>
 
+#include "data/generator/parts/thread_profile.h"
 #include "data/generator/poses.h"
-#include "data/generator/thread_profile.h"
 
 namespace graze::generator {
 namespace {

@@ -1,6 +1,6 @@
 #include <numbers>
 
-#include "data/generator/gear.h"
+#include "data/generator/parts/gear.h"
 #include "data/generator/poses.h"
 
 namespace graze::generator {

@@ -3,15 +3,15 @@
 #include <cstdio>
 #include <string>
 
-#include "data/generator/bolt.h"
-#include "data/generator/gear.h"
-#include "data/generator/link.h"
 #include "data/generator/mesh_writers.h"
-#include "data/generator/nut.h"
 #include "data/generator/output_file.h"
+#include "data/generator/parts/bolt.h"
+#include "data/generator/parts/gear.h"
+#include "data/generator/parts/link.h"
+#include "data/generator/parts/nut.h"
+#include "data/generator/parts/rock.h"
+#include "data/generator/parts/terrain.h"
 #include "data/generator/poses.h"
-#include "data/generator/rock.h"
-#include "data/generator/terrain.h"
 
 namespace graze::generator {
 namespace {

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "tests/compare/judged.h"
+#include "tests/compare/judge/judged.h"
 
 namespace graze::compare {
 namespace {

@@ -11,10 +11,10 @@
 #include <numbers>
 
 #include "data/generator/approach.h"
-#include "data/generator/circle.h"
-#include "data/generator/geodesic.h"
 #include "data/generator/mesh_writers.h"
 #include "data/generator/noise.h"
+#include "data/generator/parts/circle.h"
+#include "data/generator/parts/geodesic.h"
 #include "tests/files/temporary_directory.h"
 
 namespace graze {

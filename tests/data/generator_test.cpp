@@ -11,10 +11,10 @@
 #include <numbers>
 #include <string>
 
-#include "data/generator/gear.h"
 #include "data/generator/generate.h"
-#include "data/generator/thread_profile.h"
-#include "data/generator/tolerances.h"
+#include "data/generator/parts/gear.h"
+#include "data/generator/parts/thread_profile.h"
+#include "data/generator/parts/tolerances.h"
 #include "tests/files/temporary_directory.h"
 
 namespace graze {

@@ -1,6 +1,6 @@
 #include <Eigen/Geometry>
 
-#include "data/generator/geodesic.h"
+#include "data/generator/parts/geodesic.h"
 #include "tests/benchmark/pairs/scene.h"
 #include "tests/shapes/random_meshes.h"
 

@@ -1,5 +1,5 @@
-#include "data/generator/geodesic.h"
 #include "data/generator/noise.h"
+#include "data/generator/parts/geodesic.h"
 #include "tests/benchmark/common/pose_regimes.h"
 #include "tests/benchmark/pairs/scene.h"
 

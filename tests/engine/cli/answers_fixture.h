@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "tests/engine/cli/compare_fixture.h"
+#include "tests/engine/cli/compare/compare_fixture.h"
 
 namespace graze::cli {
 

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <limits>
 
-#include "tests/engine/cli/compare_fixture.h"
+#include "tests/engine/cli/compare/compare_fixture.h"
 
 namespace graze::cli {
 namespace {

@@ -10,7 +10,7 @@
 #include <limits>
 #include <vector>
 
-#include "tests/engine/cli/compare_fixture.h"
+#include "tests/engine/cli/compare/compare_fixture.h"
 
 namespace graze::cli {
 namespace {

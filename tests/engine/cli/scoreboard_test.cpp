@@ -13,7 +13,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "tests/engine/cli/compare_fixture.h"
+#include "tests/engine/cli/compare/compare_fixture.h"
 
 namespace graze::cli {
 namespace {

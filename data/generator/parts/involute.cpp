@@ -1,4 +1,4 @@
-#include "data/generator/involute.h"
+#include "data/generator/parts/involute.h"
 
 #include <cmath>
 #include <numbers>

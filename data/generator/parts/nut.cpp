@@ -1,11 +1,11 @@
-#include "data/generator/nut.h"
+#include "data/generator/parts/nut.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "data/generator/hexagon.h"
-#include "data/generator/lathe.h"
-#include "data/generator/thread.h"
+#include "data/generator/parts/hexagon.h"
+#include "data/generator/parts/lathe.h"
+#include "data/generator/parts/thread.h"
 
 namespace graze::generator {
 namespace {

@@ -20,7 +20,7 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "tests/engine/cli/compare_fixture.h"
+#include "tests/engine/cli/compare/compare_fixture.h"
 
 namespace graze::cli {
 namespace {

@@ -17,7 +17,7 @@
 #include <algorithm>
 #include <map>
 
-#include "tests/compare/judged.h"
+#include "tests/compare/judge/judged.h"
 #include "tests/shapes/formula_meshes.h"
 #include "tests/shapes/random_meshes.h"
 

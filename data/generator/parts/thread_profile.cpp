@@ -1,9 +1,9 @@
-#include "data/generator/thread_profile.h"
+#include "data/generator/parts/thread_profile.h"
 
 #include <cmath>
 #include <numbers>
 
-#include "data/generator/tolerances.h"
+#include "data/generator/parts/tolerances.h"
 
 namespace graze::generator {
 namespace {

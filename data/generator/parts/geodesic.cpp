@@ -1,4 +1,4 @@
-#include "data/generator/geodesic.h"
+#include "data/generator/parts/geodesic.h"
 
 #include <Eigen/Geometry>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include <graze/engine/compare/run/trial.h>
 #include <gtest/gtest.h>
 
-#include "tests/compare/judged.h"
+#include "tests/compare/judge/judged.h"
 
 namespace graze::compare {
 namespace {

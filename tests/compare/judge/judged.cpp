@@ -1,4 +1,4 @@
-#include "tests/compare/judged.h"
+#include "tests/compare/judge/judged.h"
 
 #include <graze/engine/cases/to_case.h>
 

@@ -1,8 +1,8 @@
-#include "data/generator/link.h"
+#include "data/generator/parts/link.h"
 
 #include <vector>
 
-#include "data/generator/circle.h"
+#include "data/generator/parts/circle.h"
 
 namespace graze::generator {
 namespace {

@@ -1,4 +1,4 @@
-#include "data/generator/thread.h"
+#include "data/generator/parts/thread.h"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "data/generator/hexagon.h"
+#include "data/generator/parts/hexagon.h"
 
 #include <cmath>
 #include <numbers>

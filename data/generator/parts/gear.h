@@ -1,6 +1,6 @@
 #pragma once
 
-#include "data/generator/involute.h"
+#include "data/generator/parts/involute.h"
 #include "data/generator/surface.h"
 
 namespace graze::generator {

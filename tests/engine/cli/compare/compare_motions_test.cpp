@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <string>
 
-#include "tests/engine/cli/compare_fixture.h"
+#include "tests/engine/cli/compare/compare_fixture.h"
 
 namespace graze::cli {
 namespace {

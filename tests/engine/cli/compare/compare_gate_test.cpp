@@ -4,7 +4,7 @@
 #include <graze/engine/cli/output/outcome.h>
 #include <gtest/gtest.h>
 
-#include "tests/engine/cli/compare_fixture.h"
+#include "tests/engine/cli/compare/compare_fixture.h"
 
 namespace graze::cli {
 namespace {

@@ -1,4 +1,4 @@
-#include "data/generator/gear.h"
+#include "data/generator/parts/gear.h"
 
 #include <cmath>
 #include <numbers>

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "data/generator/thread_profile.h"
+#include "data/generator/parts/thread_profile.h"
 
 namespace graze::generator {
 

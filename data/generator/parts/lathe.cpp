@@ -1,4 +1,4 @@
-#include "data/generator/lathe.h"
+#include "data/generator/parts/lathe.h"
 
 #include <cmath>
 #include <numbers>

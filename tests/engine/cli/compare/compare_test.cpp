@@ -17,7 +17,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "tests/engine/cli/compare_fixture.h"
+#include "tests/engine/cli/compare/compare_fixture.h"
 
 namespace graze::cli {
 namespace {

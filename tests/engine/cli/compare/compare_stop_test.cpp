@@ -9,7 +9,7 @@
 #include <atomic>
 #include <csignal>
 
-#include "tests/engine/cli/compare_fixture.h"
+#include "tests/engine/cli/compare/compare_fixture.h"
 
 namespace graze::cli {
 namespace {

@@ -1,4 +1,4 @@
-#include "data/generator/terrain.h"
+#include "data/generator/parts/terrain.h"
 
 #include <vector>
 

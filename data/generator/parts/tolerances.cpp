@@ -1,4 +1,4 @@
-#include "data/generator/tolerances.h"
+#include "data/generator/parts/tolerances.h"
 
 #include <array>
 #include <cmath>

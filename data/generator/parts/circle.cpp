@@ -1,4 +1,4 @@
-#include "data/generator/circle.h"
+#include "data/generator/parts/circle.h"
 
 #include <cmath>
 #include <cstddef>

@@ -19,7 +19,7 @@
 #include <sstream>
 #include <string>
 
-#include "tests/engine/cli/compare_fixture.h"
+#include "tests/engine/cli/compare/compare_fixture.h"
 
 namespace graze::cli {
 namespace {

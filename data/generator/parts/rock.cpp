@@ -1,11 +1,11 @@
-#include "data/generator/rock.h"
+#include "data/generator/parts/rock.h"
 
 #include <algorithm>
 #include <vector>
 
 #include "data/generator/dice.h"
-#include "data/generator/geodesic.h"
 #include "data/generator/noise.h"
+#include "data/generator/parts/geodesic.h"
 
 namespace graze::generator {
 namespace {

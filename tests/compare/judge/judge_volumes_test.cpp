@@ -5,7 +5,7 @@
 #include <graze/narrowphase/volumes/obb_overlap.h>
 #include <gtest/gtest.h>
 
-#include "tests/compare/judged.h"
+#include "tests/compare/judge/judged.h"
 #include "tests/shapes/random_meshes.h"
 
 namespace graze::compare {
