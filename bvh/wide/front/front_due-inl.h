@@ -200,7 +200,7 @@ class FrontOutlook {
 };
 
 /// The budget of a pair that a pass must look at, and of one that no motion makes due.
-inline constexpr float kAtOnce = -std::numeric_limits<float>::infinity();
+inline constexpr float kDueNow = -std::numeric_limits<float>::infinity();
 inline constexpr float kNever = std::numeric_limits<float>::infinity();
 
 /// How many leaves, and planes, are fetched ahead of the one that is looked at.

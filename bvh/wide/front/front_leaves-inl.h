@@ -364,7 +364,7 @@ class FrontLeaves : protected FrontDue<kind> {
       const auto lane = static_cast<std::uint32_t>(std::countr_zero(near));
       state_.near_pairs.push_back(static_cast<std::uint32_t>(kLeafPairs * index) + lane);
     }
-    state_.near_pair_budgets.resize(state_.near_pairs.size(), kAtOnce);
+    state_.near_pair_budgets.resize(state_.near_pairs.size(), kDueNow);
     state_.near_pair_planes.resize(state_.near_pairs.size());
   }
 

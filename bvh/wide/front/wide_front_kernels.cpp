@@ -244,7 +244,7 @@ class FrontUpdater : private FrontLeaves<kind> {
                       transform.slack + kComparisonError * found.tested_size);
     WideFront::Visit& visit = state_.visits[index];
     VisitPlanes& planes = planes_.of_visits[index];
-    if (state_.visit_budgets[index] == kAtOnce) {
+    if (state_.visit_budgets[index] == kDueNow) {
       planes.ball = QueryBall(query, pass_.units[1 - tested_side], tested_side);
       state_.lanes += node.count;
     }
@@ -286,7 +286,7 @@ class FrontUpdater : private FrontLeaves<kind> {
     state_.visits.push_back(
         {below, tested_side == 0 ? pair.b : pair.a, tested_side, size_of(tested), 0});
     planes_.of_visits.emplace_back();
-    state_.visit_budgets.push_back(kAtOnce);
+    state_.visit_budgets.push_back(kDueNow);
   }
 
   HWY_INLINE WideFront::Leaf leaf_at(int side, const WideChildRef& child) const {
@@ -303,7 +303,7 @@ class FrontUpdater : private FrontLeaves<kind> {
     state_.leaves.push_back(
         {leaf_at(tested_side, tested), leaf_at(1 - tested_side, query), tested_side, 0});
     planes_.of_leaves.emplace_back().ball = query_ball;
-    state_.leaves_budgets.push_back(kAtOnce);
+    state_.leaves_budgets.push_back(kDueNow);
   }
 
   /// Finds planes between the children of a tested node and query_; only the lanes `asked` matter.
