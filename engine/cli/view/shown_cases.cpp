@@ -1,4 +1,4 @@
-#include <graze/engine/cli/view/shown_cases.h>
+#include <graze/engine/cli/view/shown_pages.h>
 
 #include <graze/engine/cli/output/progress.h>
 #include <graze/engine/cli/view/case_pictures.h>

@@ -4,10 +4,7 @@
 #include <graze/engine/cli/files/output_places.h>
 #include <graze/engine/cli/recordings/recorded_gltf.h>
 #include <graze/engine/cli/recordings/recording_file.h>
-#include <graze/engine/cli/view/shown_cases.h>
-#include <graze/engine/cli/view/shown_meshes.h>
-#include <graze/engine/cli/view/shown_recording.h>
-#include <graze/engine/cli/view/shown_scene.h>
+#include <graze/engine/cli/view/shown_pages.h>
 #include <graze/engine/files/output_file.h>
 #include <graze/engine/files/source.h>
 
