@@ -20,12 +20,15 @@ class MeshSides {
   /// The same as surface().
   constexpr MeshSides() = default;
 
+  /// Nothing counts beside the surface.
   static constexpr MeshSides surface() { return {}; }
+  /// What is inside the mesh counts as well.
   static constexpr MeshSides solid() { return {Sides::Solid, 0}; }
   /// `thickness` says how far behind the surface the nearest point of a body may be: metres, finite
   /// and above 0, or the queries and worlds that are given it throw InputError.
   static constexpr MeshSides one_sided(double thickness) { return {Sides::OneSided, thickness}; }
 
+  /// What counts.
   constexpr Sides kind() const { return kind_; }
   /// Metres; 0 unless one-sided.
   constexpr double thickness() const { return thickness_; }
