@@ -61,7 +61,7 @@ struct Kind {
         shape(graze::share(of)),
         mass(graze::samples::mass_properties(of, kSteel)) {
     for (const Vector3d& vertex : of.vertices())
-      reach = std::max(reach, (vertex - mass.centre).norm());
+      bounding_radius = std::max(bounding_radius, (vertex - mass.centre).norm());
     graze::prepare(of);
   }
 
@@ -69,7 +69,7 @@ struct Kind {
   graze::Mesh mesh;
   std::shared_ptr<const graze::BodyShape> shape;
   graze::samples::MassProperties mass;
-  double reach = 0;
+  double bounding_radius = 0;
 };
 
 class Simulation {
@@ -122,20 +122,20 @@ class Simulation {
   double top_of_pile() const {
     double top = 0;
     for (const RigidBody& body : bodies_) {
-      if (body.stillness > 0) top = std::max(top, body.at.z() + body.reach);
+      if (body.stillness > 0) top = std::max(top, body.at.z() + body.bounding_radius);
     }
-    return top + kinds_[0].reach;
+    return top + kinds_[0].bounding_radius;
   }
 
   /// Adds a body above the pile, turned at random, unless there is one in its way.
   void pour() {
     const Kind& kind = kinds_[bodies_.size() % kinds_.size()];
     const double z = top_of_pile() + kDrop;
-    const double free = 0.92 * graze::samples::inner_radius(size_, z) - kind.reach;
+    const double free = 0.92 * graze::samples::inner_radius(size_, z) - kind.bounding_radius;
     const double radius = free * std::sqrt(uniform(0, 1));
     const double angle = uniform(0, 6.283185307179586);
     const Vector3d at(radius * std::cos(angle), radius * std::sin(angle), z);
-    const Vector3d half = Vector3d::Constant(kind.reach);
+    const Vector3d half = Vector3d::Constant(kind.bounding_radius);
     for (const graze::BodyId id : world_.find_in_box({at - half, at + half})) {
       if (world_.user_data(id) != ContactSolver::kFixed) return;
     }
@@ -145,7 +145,11 @@ class Simulation {
         turn.coeffs()[k] = uniform(-1, 1);
     } while (turn.norm() > 1 || turn.norm() < 0.1);
     turn.normalize();
-    RigidBody body{.id = {}, .mass = &kind.mass, .at = at, .turn = turn, .reach = kind.reach};
+    RigidBody body{.id = {},
+                   .mass = &kind.mass,
+                   .at = at,
+                   .turn = turn,
+                   .bounding_radius = kind.bounding_radius};
     body.id = world_.add({kind.shape, body.pose()}, {.user_data = bodies_.size()});
     recorder_.name(body.id, std::string(kind.name) + ' ' + std::to_string(bodies_.size()));
     poured_energy_ += energy_of(body);
@@ -164,7 +168,7 @@ class Simulation {
                    .at = at,
                    .turn = Eigen::Quaterniond::Identity(),
                    .velocity = Vector3d(0, 0, -options_.shot),
-                   .reach = kPellet};
+                   .bounding_radius = kPellet};
     body.id = world_.add({pellet_shape_, body.pose()},
                          {.user_data = bodies_.size(), .detection = graze::Detection::Continuous});
     recorder_.name(body.id, "pellet");
@@ -237,12 +241,12 @@ class Simulation {
       RigidBody& body = bodies_[i];
       if (body.is_asleep) continue;
       const double turned = 2 * (body.turn * seen_[i].turn.conjugate()).vec().norm();
-      if ((body.at - seen_[i].at).norm() + turned * body.reach > kUnseen) {
+      if ((body.at - seen_[i].at).norm() + turned * body.bounding_radius > kUnseen) {
         seen_[i] = body;
         moved_.push_back(body.id);
         poses_.push_back(body.pose());
       }
-      const double speed = body.velocity.norm() + body.spin.norm() * body.reach;
+      const double speed = body.velocity.norm() + body.spin.norm() * body.bounding_radius;
       body.stillness = speed < kStillSpeed ? body.stillness + settings_.step : 0;
     }
     world_.move(moved_, poses_);

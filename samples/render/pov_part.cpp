@@ -49,8 +49,8 @@ std::string moved(const std::string& name, const Pose& by) {
     for (int k = 0; k < 3; ++k)
       text += number(by.linear()(k, i)) + ", ";
   }
-  const Eigen::Vector3d way = by.translation() * kMillimetres;
-  return text + number(way.x()) + ", " + number(way.y()) + ", " + number(way.z()) + "> }\n";
+  const Eigen::Vector3d shift = by.translation() * kMillimetres;
+  return text + number(shift.x()) + ", " + number(shift.y()) + ", " + number(shift.z()) + "> }\n";
 }
 
 /// Makes of a name that is declared the same with all the part's copies. A mesh is stored once.

@@ -122,18 +122,18 @@ void add_channel(std::size_t node, const char* path, std::size_t times, std::siz
 
 void add_motion(const GltfBody& body, std::size_t node, std::size_t times, json& animation,
                 Buffer& buffer) {
-  std::vector<float> ways, turns;
+  std::vector<float> shifts, turns;
   Eigen::Quaterniond last = turn_of(body.poses.front());
   for (const Pose& pose : body.poses) {
     Eigen::Quaterniond turn = turn_of(pose);
     if (turn.dot(last) < 0) turn.coeffs() = -turn.coeffs();  // the shorter way round
     last = turn;
     for (int k = 0; k < 3; ++k)
-      ways.push_back(static_cast<float>(pose.translation()[k]));
+      shifts.push_back(static_cast<float>(pose.translation()[k]));
     for (int k = 0; k < 4; ++k)
       turns.push_back(static_cast<float>(turn.coeffs()[k]));
   }
-  add_channel(node, "translation", times, buffer.add(ways, 3, false), animation);
+  add_channel(node, "translation", times, buffer.add(shifts, 3, false), animation);
   add_channel(node, "rotation", times, buffer.add(turns, 4, false), animation);
 }
 

@@ -15,9 +15,9 @@ struct RigidBody {
   Eigen::Quaterniond turn;
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero();
   Eigen::Vector3d spin = Eigen::Vector3d::Zero();
-  double reach;           ///< of the mesh from the centre of mass
-  double friction = 0.4;  ///< Coulomb's coefficient of its surface; of two, the geometric mean
-  double stillness = 0;   ///< for how long it has hardly moved, seconds
+  double bounding_radius;  ///< of the shape, about the centre of mass, metres
+  double friction = 0.4;   ///< Coulomb's coefficient of its surface; of two, the geometric mean
+  double stillness = 0;    ///< for how long it has hardly moved, seconds
   bool is_asleep = false;
 
   /// Of the mesh's frame.

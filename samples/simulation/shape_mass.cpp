@@ -81,7 +81,7 @@ MassProperties mass_properties(const Shape& shape, double density) {
   throw InputError("mass of a half-space: it has none");
 }
 
-double reach_from(const Shape& shape, const Vector3d& point) {
+double bounding_radius_about(const Shape& shape, const Vector3d& point) {
   const auto box = [&](const Vector3d& centre, const Vector3d& half) {
     return (centre - point).norm() + half.norm();
   };
@@ -103,7 +103,7 @@ double reach_from(const Shape& shape, const Vector3d& point) {
   }
   if (const auto* s = shape.as<HeightField>())
     return box((s->bounds().min + s->bounds().max) / 2, (s->bounds().max - s->bounds().min) / 2);
-  throw InputError("reach of a half-space: it has no end");
+  throw InputError("bounding radius of a half-space: it has no end");
 }
 
 }  // namespace graze::samples

@@ -13,6 +13,6 @@ MassProperties mass_properties(const Shape& shape, double kilograms_per_cubic_me
 
 /// The greatest distance of the shape's points from one, metres, or somewhat more: its corners, or
 /// those of a box around it. Throws InputError for a half-space.
-double reach_from(const Shape& shape, const Eigen::Vector3d& point);
+double bounding_radius_about(const Shape& shape, const Eigen::Vector3d& point);
 
 }  // namespace graze::samples

@@ -10,7 +10,7 @@ namespace {
 
 /// How a body goes on in each step.
 struct Course {
-  Eigen::Vector3d way;
+  Eigen::Vector3d shift;
   Eigen::Vector3d turn;  // its axis, times the angle
   int steps;
 };
@@ -21,7 +21,7 @@ Pose stepped(const Pose& pose, const Course& course) {
   if (angle > 0)
     next.linear() = (Eigen::AngleAxisd(angle, course.turn / angle) * pose.linear()).eval();
   next.linear() = Eigen::Quaterniond(next.linear()).normalized().toRotationMatrix();
-  next.translation() += course.way;
+  next.translation() += course.shift;
   return next;
 }
 

@@ -12,11 +12,11 @@ namespace {
 /// How far the points of a body have come, at most.
 double moved(const RigidBody& now, const RigidBody& before) {
   const double turned = 2 * (now.turn * before.turn.conjugate()).vec().norm();
-  return (now.at - before.at).norm() + std::min(turned, 2.0) * now.reach;
+  return (now.at - before.at).norm() + std::min(turned, 2.0) * now.bounding_radius;
 }
 
 double speed_of(const RigidBody& body) {
-  return body.velocity.norm() + body.spin.norm() * body.reach;
+  return body.velocity.norm() + body.spin.norm() * body.bounding_radius;
 }
 
 /// NaN counts as worst.

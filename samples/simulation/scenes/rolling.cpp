@@ -81,7 +81,7 @@ Roll roll(const Scene& scene) {
     result.aside = std::max(result.aside, std::abs(ball.at.y() - start.y()));
     result.height = std::max(result.height, std::abs(ball.at.z() - start.z()));
   }
-  result.way = ball.at.x() - start.x();
+  result.distance = ball.at.x() - start.x();
   result.slower = 1 - ball.velocity.x() / speed;
   result.unrolled = std::abs(ball.velocity.x() - kRadius * ball.spin.y()) / speed;
   return result;

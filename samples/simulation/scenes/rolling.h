@@ -14,7 +14,7 @@ Scene rolling_ball(Surface ground, Extent extent = Extent::Small);
 
 /// What a ball did that rolls along x.
 struct Roll {
-  double way = 0;       ///< metres along x
+  double distance = 0;  ///< metres along x
   double aside = 0;     ///< metres away from the line, at most
   double height = 0;    ///< metres that its centre rose or sank, at most, from where it began
   double slower = 0;    ///< share of the speed that it lost in the end; negative if it gained

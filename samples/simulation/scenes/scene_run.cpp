@@ -62,7 +62,7 @@ void SceneRun::add(const SceneBody& body) {
                   .turn = Eigen::Quaterniond(body.pose.linear()),
                   .velocity = body.velocity,
                   .spin = body.spin,
-                  .reach = is_fixed ? 0 : reach_from(body.shape, mass.centre),
+                  .bounding_radius = is_fixed ? 0 : bounding_radius_about(body.shape, mass.centre),
                   .friction = body.friction};
   // Fixed bodies are among the solver's, too, as each has its own friction.
   rigid.id = world_.add(

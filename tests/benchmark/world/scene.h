@@ -15,7 +15,7 @@ namespace graze::benchmark {
 struct Kind {
   Shape shape;
   samples::MassProperties mass;
-  double reach;  // metres from the centre of mass
+  double bounding_radius;  // metres from the centre of mass
 };
 
 /// Bodies over a mesh that does not move.

@@ -35,7 +35,7 @@ Kind part(const std::filesystem::path& file) {
   const Mesh mesh = load_mesh(file);
   Kind kind{mesh, samples::mass_properties(mesh, 7850), 0};
   for (const Eigen::Vector3d& vertex : mesh.vertices())
-    kind.reach = std::max(kind.reach, (vertex - kind.mass.centre).norm());
+    kind.bounding_radius = std::max(kind.bounding_radius, (vertex - kind.mass.centre).norm());
   return kind;
 }
 
@@ -75,9 +75,10 @@ Scene make_pour(std::size_t count, const std::string& data) {
   size.floor_radius *= scale, size.mouth_radius *= scale, size.height *= scale;
   Scene scene{"pour", samples::make_bin(size), {}, {}, 0, 0.8 * size.floor_radius, 0.3};
   scene.kinds = {part(data + "/meshes/bolt.obj"), part(data + "/meshes/nut.stl")};
-  const double reach = std::max(scene.kinds[0].reach, scene.kinds[1].reach);
-  scene.layer =
-      static_cast<std::size_t>(std::max(1.0, 0.6 * scene.radius * scene.radius / (reach * reach)));
+  const double bounding_radius =
+      std::max(scene.kinds[0].bounding_radius, scene.kinds[1].bounding_radius);
+  scene.layer = static_cast<std::size_t>(
+      std::max(1.0, 0.6 * scene.radius * scene.radius / (bounding_radius * bounding_radius)));
   for (std::size_t i = 0; i < count; ++i)
     scene.bodies.push_back(i % 2);
   return scene;

@@ -27,7 +27,7 @@ class Settling {
                {.kind = BodyKind::Static, .user_data = ContactSolver::kFixed});
     for (const Kind& kind : scene.kinds) {
       shapes_.push_back(share(kind.shape));
-      reach_ = std::max(reach_, kind.reach);
+      bounding_radius_ = std::max(bounding_radius_, kind.bounding_radius);
     }
     bodies_.reserve(scene.bodies.size());
   }
@@ -35,7 +35,7 @@ class Settling {
   void pour_all() {
     while (bodies_.size() < scene_.bodies.size()) {
       pour_layer();
-      run(2 * std::sqrt(2 * 2 * reach_ / settings_.gravity));
+      run(2 * std::sqrt(2 * 2 * bounding_radius_ / settings_.gravity));
       std::fprintf(stderr, "\r%s: %zu of %zu poured ", scene_.name.c_str(), bodies_.size(),
                    scene_.bodies.size());
     }
@@ -76,12 +76,12 @@ class Settling {
       const double angle = golden * static_cast<double>(i);
       const double x = radius * std::cos(angle), y = radius * std::sin(angle);
       const double below = is_first ? ground_at(x, y) : top;
-      add({x, y, below + 2.2 * reach_});
+      add({x, y, below + 2.2 * bounding_radius_});
     }
   }
 
   double ground_at(double x, double y) const {
-    const double high = scene_.ground.bounds().max.z() + reach_;
+    const double high = scene_.ground.bounds().max.z() + bounding_radius_;
     const auto hit = graze::cast_ray(PlacedMeshView{scene_.ground}, Ray{{x, y, high}, {0, 0, -1}});
     return hit ? high - hit->distance : 0;
   }
@@ -91,7 +91,11 @@ class Settling {
     const Kind& kind = scene_.kinds[index];
     Eigen::Quaterniond turn(uniform(-1, 1), uniform(-1, 1), uniform(-1, 1), uniform(0.1, 1));
     turn.normalize();
-    RigidBody body{.id = {}, .mass = &kind.mass, .at = at, .turn = turn, .reach = kind.reach};
+    RigidBody body{.id = {},
+                   .mass = &kind.mass,
+                   .at = at,
+                   .turn = turn,
+                   .bounding_radius = kind.bounding_radius};
     body.id = world_.add({shapes_[index], body.pose()}, {.user_data = bodies_.size()});
     bodies_.push_back(body);
   }
@@ -132,8 +136,8 @@ class Settling {
 
   void tell_world(RigidBody& body) {
     world_.move(body.id, body.pose());
-    const double speed = body.velocity.norm() + body.spin.norm() * body.reach;
-    body.stillness = speed < 3 * body.reach ? body.stillness + settings_.step : 0;
+    const double speed = body.velocity.norm() + body.spin.norm() * body.bounding_radius;
+    body.stillness = speed < 3 * body.bounding_radius ? body.stillness + settings_.step : 0;
     if (!may_sleep_ || body.stillness < kTimeToSleep) return;
     body.is_asleep = true;
     body.velocity = body.spin = Vector3d::Zero();
@@ -148,7 +152,7 @@ class Settling {
   std::vector<RigidBody> bodies_;
   std::vector<std::size_t> woken_;
   std::mt19937_64 random_{2};
-  double reach_ = 0;  // the largest
+  double bounding_radius_ = 0;  // the largest
   bool may_sleep_ = true;
 };
 

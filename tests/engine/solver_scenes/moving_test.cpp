@@ -26,7 +26,7 @@ TEST(SolverScenes, ABallRollsAHundredMetresOverTrianglesAsOverAPlane) {
     const Scene scene = rolling_ball(ground);
     EXPECT_EQ(scene.steps, 600);
     const Roll result = roll(scene);
-    EXPECT_NEAR(result.way, 100, 0.1);
+    EXPECT_NEAR(result.distance, 100, 0.1);
     EXPECT_LT(result.aside, 1e-3);
     EXPECT_LT(result.height, 1e-3);
     EXPECT_LT(std::abs(result.slower), 1e-3);

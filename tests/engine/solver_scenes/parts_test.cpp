@@ -33,11 +33,11 @@ TEST(ShapeMass, IsThatOfTheMeshOfItsSurface) {
     EXPECT_TRUE((by_formula.inertia * by_formula.inverse_inertia).isIdentity(1e-9));
     for (const Eigen::Vector3d& vertex : surface.vertices())
       EXPECT_LE((vertex - by_formula.centre).norm(),
-                reach_from(shape, by_formula.centre) * (1 + 1e-12));
+                bounding_radius_about(shape, by_formula.centre) * (1 + 1e-12));
   }
   EXPECT_THROW(mass_properties(Shape(HalfSpace{{0, 0, 1}}), 1), InputError);
   EXPECT_THROW(surface_of(HalfSpace{{0, 0, 1}}), InputError);
-  EXPECT_THROW(reach_from(HalfSpace{{0, 0, 1}}, {0, 0, 0}), InputError);
+  EXPECT_THROW(bounding_radius_about(HalfSpace{{0, 0, 1}}, {0, 0, 0}), InputError);
 }
 
 TEST(Integrator, ATumblingBodyGainsNoEnergyAndKeepsMostOfIt) {
@@ -47,7 +47,7 @@ TEST(Integrator, ATumblingBodyGainsNoEnergyAndKeepsMostOfIt) {
                  .at = {0, 0, 0},
                  .turn = Eigen::Quaterniond::Identity(),
                  .spin = {0.1, 0.2, 3},  // about the axis between the least and the greatest
-                 .reach = 0.4};
+                 .bounding_radius = 0.4};
   const double first = body.kinetic_energy();
   double before = first;
   for (int i = 0; i < 2000; ++i) {
@@ -75,7 +75,7 @@ TEST(ContactSolver, HoldsWhatStandsOnSeveralParts) {
                                     .mass = &mass,
                                     .at = {0, 0, 0.249},
                                     .turn = Eigen::Quaterniond::Identity(),
-                                    .reach = 1.25});
+                                    .bounding_radius = 1.25});
   bodies[0].id = world.add(PlacedBodyShape{share(table), bodies[0].pose()}, {.user_data = 0});
   ContactSolver solver({.step = 1.0 / 150, .keeps_push = true});
   std::vector<std::size_t> woken;
