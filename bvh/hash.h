@@ -6,9 +6,9 @@
 
 namespace graze {
 
-/// A hash of whole numbers for std::hash of ids and pairs: each goes through the finaliser of
-/// SplitMix64 (Steele, Lea, Flood, "Fast splittable pseudorandom number generators", 2014), so that
-/// tables of any size may take its low bits. The same in every process.
+/// Returns a hash of whole numbers for std::hash of ids and pairs: each goes through the finaliser
+/// of SplitMix64 (Steele, Lea, Flood, "Fast splittable pseudorandom number generators", 2014), so
+/// that tables of any size may take its low bits. It is the same in every process.
 inline std::size_t hash_of(std::initializer_list<std::uint64_t> words) noexcept {
   std::uint64_t hash = 0;
   for (const std::uint64_t word : words) {

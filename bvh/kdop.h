@@ -5,13 +5,13 @@
 
 namespace graze {
 
-/// The directions of the slabs of a k-DOP, K / 2 of them, not normalised: small integers, so that a
-/// coordinate along one is a sum of few coordinates.
+/// The directions of the slabs of a k-DOP, K / 2 of them, not normalised. They are small integers,
+/// so that a coordinate along one is a sum of few coordinates.
 template <int K>
 inline constexpr std::array<std::array<int, 3>, static_cast<std::size_t>(K / 2)> kKDopDirections{};
 
-/// The normals of a box's faces and bevelled edges: what Klosowski and others found to serve best
-/// ("Efficient collision detection using bounding volume hierarchies of k-DOPs", 1998).
+/// The normals of a box's faces and bevelled edges, which are what Klosowski and others found to
+/// serve best ("Efficient collision detection using bounding volume hierarchies of k-DOPs", 1998).
 template <>
 inline constexpr std::array<std::array<int, 3>, 9> kKDopDirections<18>{{{1, 0, 0},
                                                                         {0, 1, 0},
@@ -28,9 +28,11 @@ inline constexpr std::array<std::array<int, 3>, 9> kKDopDirections<18>{{{1, 0, 0
 /// looser than the polytope. Only K = 18 has directions.
 template <int K>
 struct KDop {
-  static constexpr int kSlabs = K / 2;                       ///< how many slabs there are
-  std::array<double, static_cast<std::size_t>(kSlabs)> min;  ///< of each slab, along its direction
-  std::array<double, static_cast<std::size_t>(kSlabs)> max;  ///< likewise
+  static constexpr int kSlabs = K / 2;                       ///< the number of slabs
+  std::array<double, static_cast<std::size_t>(kSlabs)> min;  ///< the lower bound of each slab,
+                                                             ///< along its direction
+  std::array<double, static_cast<std::size_t>(kSlabs)> max;  ///< the upper bound of each slab,
+                                                             ///< along its direction
 
   bool operator==(const KDop&) const = default;
 };

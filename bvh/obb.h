@@ -8,8 +8,8 @@ namespace graze {
 /// A closed oriented box: the points whose coordinates in the frame `pose` lie in
 /// [-half_extents, half_extents], metres. Half extents are finite and not negative.
 struct Obb {
-  Pose pose;                     ///< of the box: where its middle and its axes are
-  Eigen::Vector3d half_extents;  ///< along its own axes
+  Pose pose;                     ///< the place of the box's middle and its axes
+  Eigen::Vector3d half_extents;  ///< half the lengths along its own axes, metres
 
   bool operator==(const Obb& other) const {
     return are_equal(pose, other.pose) && half_extents == other.half_extents;

@@ -6,12 +6,12 @@
 
 namespace graze {
 
-/// A rigid motion: columns 0 to 2 rotate, column 3 translates in metres. Unaligned, so that the
-/// layout of every public type is the same whatever SIMD flags its user compiles with.
+/// A rigid motion: columns 0 to 2 rotate, column 3 translates in metres. It is unaligned, so that
+/// the layout of every public type is the same whatever SIMD flags its user compiles with.
 /// Eigen::Isometry3d converts to it.
 using Pose = Eigen::Transform<double, 3, Eigen::Isometry, Eigen::DontAlign>;
 
-/// Whether all entries are equal: Eigen's poses have no operator.
+/// True if all entries are equal: Eigen's poses have no operator for that.
 inline bool are_equal(const Pose& pose_a, const Pose& pose_b) {
   return pose_a.matrix() == pose_b.matrix();
 }
@@ -22,7 +22,7 @@ struct PoseHash {
 };
 /// Compares poses entry by entry for tables of them, with PoseHash.
 struct PoseEqual {
-  /// Says whether all entries are equal.
+  /// True if all entries are equal.
   bool operator()(const Pose& pose_a, const Pose& pose_b) const noexcept {
     return are_equal(pose_a, pose_b);
   }
@@ -31,7 +31,7 @@ struct PoseEqual {
 /// The largest deviation from a rotation that the door lets in (law 10).
 inline constexpr double kMaxRotationDeviation = 1e-6;
 
-/// max |R^T R - I| over the nine entries, computed in double: 0 for an exact rotation.
+/// Returns max |R^T R - I| over the nine entries, computed in double: 0 for an exact rotation.
 double rotation_deviation(const Pose& pose);
 
 /// Throws PoseError, which begins with `what`, unless the pose is finite, its last row is

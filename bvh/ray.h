@@ -10,7 +10,8 @@ namespace graze {
 /// `max_distance` from the origin.
 struct Ray {
   Eigen::Vector3d origin;                                         ///< metres
-  Eigen::Vector3d direction;                                      ///< of any length but 0
+  Eigen::Vector3d direction;                                      ///< the direction, of any length
+                                                                  ///< but 0
   double max_distance = std::numeric_limits<double>::infinity();  ///< metres along the ray
 
   bool operator==(const Ray&) const = default;

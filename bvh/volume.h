@@ -5,8 +5,8 @@
 
 namespace graze {
 
-/// Bounding volumes that lie over the nodes of a mesh's binary tree. No answer depends on the
-/// choice (law 9): only the time does.
+/// The kinds of bounding volumes that lie over the nodes of a mesh's binary tree. No answer depends
+/// on the choice (law 9): only the time does.
 enum class Volume {
   Aabb,    ///< boxes in each mesh's own frame
   Sphere,  ///< minimal spheres: the cheapest test, the loosest fit
@@ -14,10 +14,10 @@ enum class Volume {
   KDop,    ///< 18 half-spaces in each mesh's own frame
 };
 
-/// All of them, in their order.
+/// All volumes, in their order.
 inline constexpr std::array kVolumes{Volume::Aabb, Volume::Sphere, Volume::Obb, Volume::KDop};
 
-/// What queries on two meshes can compare: a wide tree's boxes, or one of the above.
+/// The volumes that queries on two meshes can compare: a wide tree's boxes, or one of the above.
 enum class PairVolume {
   WideObb,  ///< the default: oriented boxes, eight to a node, whose children share its axes
   Aabb,
@@ -26,17 +26,17 @@ enum class PairVolume {
   KDop,
 };
 
-/// All of them, in their order.
+/// All volumes for pairs, in their order.
 inline constexpr std::array kPairVolumes{PairVolume::WideObb, PairVolume::Aabb, PairVolume::Sphere,
                                          PairVolume::Obb, PairVolume::KDop};
 
-/// Its name on the command line: "obb" for Obb, "wide" for WideObb. Throws InputError for what is
-/// none of the above.
+/// Returns the volume's name on the command line: "obb" for Obb, "wide" for WideObb. Throws
+/// InputError for what is none of the above.
 const char* name_of(Volume volume);
 const char* name_of(PairVolume volume);
 
-/// The same as a Volume; nothing for WideObb, which is none. Throws InputError for what is none of
-/// the above.
+/// Returns the Volume of the same name, or nothing for WideObb, which is no Volume. Throws InputError
+/// for what is none of the above.
 std::optional<Volume> binary_volume(PairVolume volume);
 
 }  // namespace graze

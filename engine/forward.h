@@ -1,7 +1,8 @@
 #pragma once
 
-// For those who only pass handles around: the classes, settings and results that programs pass
-// around, by name, ids and pairs as values, and no other header. <graze/graze.h> has all of it.
+// For those who only pass handles around, this declares the classes, settings and results that
+// programs pass around. Only ids and pairs are defined, as values; no other header is included.
+// <graze/graze.h> has all of it.
 
 #include <graze/engine/world/ids.h>
 

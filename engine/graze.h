@@ -1,6 +1,6 @@
 #pragma once
 
-// Everything that a user of graze meets.
+// This includes everything that a user of graze meets.
 
 #include <graze/bvh/aabb.h>
 #include <graze/bvh/box_pair.h>

@@ -10,7 +10,8 @@
 
 namespace graze {
 
-/// How many numbers a pose has as text: the rows of [R | t], one after the other, t in metres.
+/// The number of numbers that a pose has as text: the rows of [R | t], one after the other, t in
+/// metres.
 inline constexpr std::size_t kPoseNumbers = 12;
 
 /// A pose and the line of the file that it stands on, counted from 1.
@@ -24,14 +25,14 @@ struct PoseLine {
 /// that is not rigid.
 Pose parse_pose(std::string_view text, const std::string& place);
 
-/// Reads one pose per line; blank lines are skipped. Or an array that numpy has saved (.npy, told
-/// by its first bytes): float64 in C order of the shape (n, 3, 4) or (n, 4, 4), whose poses are
-/// counted from 1 in place of lines. Throws PoseError as parse_pose() does, naming `file:line`, and
-/// for a file that cannot be read or holds no poses. Linear time; an array takes its size in
-/// memory.
+/// Reads one pose per line; blank lines are skipped. The file may also be an array that numpy has
+/// saved (.npy, told by its first bytes): float64 in C order of the shape (n, 3, 4) or (n, 4, 4),
+/// whose poses are counted from 1 in place of lines. Throws PoseError as parse_pose() does, naming
+/// `file:line`, and for a file that cannot be read or holds no poses. The time is linear; an array
+/// takes its size in memory.
 std::vector<PoseLine> load_pose_lines(const std::filesystem::path& path);
 
-/// The poses of load_pose_lines() without their lines. Throws as it does.
+/// Returns the poses of load_pose_lines() without their lines. Throws as it does.
 std::vector<Pose> load_poses(const std::filesystem::path& path);
 
 }  // namespace graze

@@ -1,8 +1,9 @@
 #pragma once
 
-// Values as one line of text, for logs, debuggers and failing tests: numbers in the fewest digits
-// that give the same double, whatever the stream has set, lengths in metres. Long lists end after
-// sixteen elements with how many more there are. What it writes is for people and may change.
+// These write values as one line of text, for logs, debuggers and failing tests: numbers in the
+// fewest digits that give the same double, whatever the stream has set, lengths in metres. Long
+// lists end after sixteen elements with how many more there are. The text is for people and may
+// change.
 
 #include <graze/bvh/kdop.h>
 #include <graze/bvh/obb.h>
@@ -45,10 +46,10 @@
 
 namespace graze {
 
-/// The twelve numbers of a pose as parse_pose() reads them: the same pose to the last bit.
+/// Returns the twelve numbers of a pose as parse_pose() reads them: the same pose to the last bit.
 std::string to_text(const Pose& pose);
 
-/// Ids, pairs and voxels in a short form: `body 3.0`, `3-4`, `(1, 2, 3)`.
+/// These write ids, pairs and voxels in a short form: `body 3.0`, `3-4`, `(1, 2, 3)`.
 std::ostream& operator<<(std::ostream& out, const BodyId& id);
 std::ostream& operator<<(std::ostream& out, const BoxId& id);
 std::ostream& operator<<(std::ostream& out, const BodyPair& pair);
@@ -58,7 +59,7 @@ std::ostream& operator<<(std::ostream& out, const TrianglePair& pair);
 std::ostream& operator<<(std::ostream& out, const ContactFeature& feature);
 std::ostream& operator<<(std::ostream& out, const Voxel& voxel);
 
-/// Volumes, triangles and motions with their numbers.
+/// These write volumes, triangles and motions with their numbers.
 std::ostream& operator<<(std::ostream& out, const Aabb& box);
 std::ostream& operator<<(std::ostream& out, const Obb& box);
 std::ostream& operator<<(std::ostream& out, const Sphere& sphere);
@@ -68,7 +69,7 @@ std::ostream& operator<<(std::ostream& out, const Triangle& triangle);
 std::ostream& operator<<(std::ostream& out, const VoxelGrid& grid);
 std::ostream& operator<<(std::ostream& out, const RigidMotion& motion);
 
-/// Results with their members.
+/// These write results with their members.
 std::ostream& operator<<(std::ostream& out, const TrianglePairs& pairs);
 std::ostream& operator<<(std::ostream& out, const TriangleList& triangles);
 std::ostream& operator<<(std::ostream& out, const TriangleDistance& distance);
@@ -100,14 +101,14 @@ std::ostream& operator<<(std::ostream& out, const BodyCast& cast);
 std::ostream& operator<<(std::ostream& out, const BodyPairDistance& distance);
 std::ostream& operator<<(std::ostream& out, const BodyFirstContact& contact);
 
-/// How many parts there are of what is large.
+/// These write how many parts there are of what is large.
 std::ostream& operator<<(std::ostream& out, const Topology& topology);
 std::ostream& operator<<(std::ostream& out, const MeshIntersection& common);
 std::ostream& operator<<(std::ostream& out, const Voxels& voxels);
 std::ostream& operator<<(std::ostream& out, const FreedomCertificate& certificate);
 std::ostream& operator<<(std::ostream& out, const WorldUpdate& update);
 
-/// Only the counters that are not 0.
+/// These write only the counters that are not 0.
 std::ostream& operator<<(std::ostream& out, const Work& work);
 std::ostream& operator<<(std::ostream& out, const WorldWork& work);
 

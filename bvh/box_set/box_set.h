@@ -12,18 +12,18 @@ namespace graze::bvh {
 
 /// Many boxes that move, each known by its proxy, in blocks of 16 under implicit trees: one tree
 /// for each layer of size classes, by factors of 4 or more, and one for boxes that came since the
-/// last sort. Finds what overlaps, exactly on the doubles given. It holds where boxes are kept, in
-/// which order, and how they are searched.
+/// last sort. It finds what overlaps, exactly on the doubles given. It is made of the store that
+/// keeps the boxes, their order, and the search.
 ///
-/// Boxes come and move by the order, and go by the store. After that, or after a move of many, one
-/// of BoxOrder's functions that prepare has to be called before anything is found.
+/// Boxes are inserted and moved by BoxOrder, and erased by BoxStore. After that, or after a move of
+/// many, one of BoxOrder's functions that prepare has to be called before anything is found.
 ///
 /// What throws for want of memory has lost no box: BoxOrder::insert() has not happened, and what
 /// puts boxes in order can be asked for again. BoxOrder::move() and BoxStore::erase() throw
 /// nothing: where there is no memory for what saves time later, they do without.
 class BoxSet {
  public:
-  /// `threads` share the work; no result depends on their number.
+  /// Makes a set whose work `threads` threads share; no result depends on their number.
   explicit BoxSet(int threads)
       : workers_(threads),
         order_(store_, workers_),
@@ -33,7 +33,7 @@ class BoxSet {
   BoxSet& operator=(const BoxSet&) = delete;
 
   const Workers& workers() const { return workers_; }
-  /// Near boxes have near places in it.
+  /// Returns the store, in which near boxes have near places.
   const BoxStore& store() const { return store_; }
   const BoxOrder& order() const { return order_; }
   BoxOrder& order() { return order_; }

@@ -31,8 +31,8 @@ void OverlapTracker::erase(std::uint32_t proxy) {
   wait({Verb::Erase, proxy, {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()}});
 }
 
-/// Changes are made in the order in which they came. What waits cannot fail any more: each takes at
-/// most one new place.
+/// Lets a change wait. Changes are made in the order in which they came. Those that wait cannot
+/// fail any more: each takes at most one new place.
 void OverlapTracker::wait(const WaitingChange& change) {
   if (waiting_count_ == kMostWaiting) end_waiting();
   if (change.verb == Verb::Insert) set_.store().reserve(kMostWaiting, change.proxy + 1);
@@ -60,8 +60,8 @@ void OverlapTracker::end_waiting() {
   waiting_count_ = 0;
 }
 
-/// Before the proxy's box changes. What there is no memory to note is not noted, as if it were one
-/// of many.
+/// Notes a proxy's box before it changes. If there is no memory to note it, it counts as one of
+/// many.
 void OverlapTracker::note(std::uint32_t proxy) {
   if (have_many_changed_) return;
   try {
@@ -85,7 +85,7 @@ void OverlapTracker::note_one(std::uint32_t proxy) {
   is_changed_[proxy] = true;
 }
 
-/// From here to the next update nobody asks what was where.
+/// Forgets what was noted: until the next update nobody asks what was where.
 void OverlapTracker::note_many() {
   if (have_many_changed_) return;
   forget_changes();
@@ -113,7 +113,8 @@ bool OverlapTracker::update() {
   ended_.clear();
   is_difference_sorted_ = has_difference_ = true;
   if (!have_many_changed_ && changed_.empty()) return false;
-  // What came from afar has its neighbours elsewhere than what was looked up before it.
+  // Boxes that came from far away have other neighbours now than those that were looked up before
+  // them.
   if (are_many(changed_.size() + set_.order().arrivals())) note_many();
   try {
     have_many_changed_ ? search_all() : search_movers();
@@ -150,7 +151,8 @@ void OverlapTracker::search_movers() {
   ++searches_for_movers_;
 }
 
-/// In the order of places, so that neighbours share blocks of the tree over former boxes.
+/// Lists the former boxes in the order of their places, so that neighbours share blocks of the tree
+/// over them.
 void OverlapTracker::list_former_boxes() {
   movers_.clear();
   for (std::uint32_t i = 0; i < changed_.size(); ++i) {
@@ -162,7 +164,7 @@ void OverlapTracker::list_former_boxes() {
     former_.add(changed_box_of(mover).proxy, changed_box_of(mover).before);
 }
 
-/// Neighbours are looked up together.
+/// Lists the movers in the order of their places, so that neighbours are looked up together.
 void OverlapTracker::list_movers() {
   movers_.clear();
   for (std::uint32_t i = 0; i < changed_.size(); ++i) {
@@ -178,7 +180,7 @@ void OverlapTracker::sort_movers() {
   });
 }
 
-/// Both places of a mover are looked up at once, after all have moved. That tells what began and
+/// Looks up both places of each mover at once, after all have moved. That tells what began and
 /// ended with boxes that did not move. What began between two movers the list does not know yet;
 /// what ended between two is found among the places where they were.
 void OverlapTracker::compare_places() {
@@ -188,7 +190,7 @@ void OverlapTracker::compare_places() {
   end_pairs_of_movers();
 }
 
-/// Of the next 16 movers.
+/// Looks up the next sixteen movers in both of their places.
 void OverlapTracker::look_up_some(std::size_t first) {
   OrderedBox before[kLanes], after[kLanes];
   const std::size_t count = std::min<std::size_t>(kLanes, movers_.size() - first);
@@ -222,7 +224,7 @@ void OverlapTracker::end_pairs_of_movers() {
   }
 }
 
-/// All of it, or nothing.
+/// Makes all edits of the list, or none if it throws.
 void OverlapTracker::edit_list() {
   index_.reserve(pairs_, begun_.size());
   const auto ended = ended_.pairs(), begun = begun_.pairs();

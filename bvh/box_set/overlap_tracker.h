@@ -11,14 +11,14 @@
 
 namespace graze::bvh {
 
-/// Where boxes were before they moved, and which of them overlapped there. Near ones should be
-/// added one after the other: that order is the tree's.
+/// Keeps where boxes were before they moved, and finds which of them overlapped there. Near ones
+/// should be added one after the other: that order is the tree's.
 class FormerBoxes {
  public:
   void clear();
   void add(std::uint32_t number, const OrderedBox& box);
 
-  /// All pairs of numbers whose boxes overlap, exactly, each once.
+  /// Finds all pairs of numbers whose boxes overlap, exactly, each once.
   void find_pairs(PairBuffer& out);
 
   std::size_t bytes() const;
@@ -41,11 +41,12 @@ class OverlapTracker {
  public:
   explicit OverlapTracker(int threads) : set_(threads) {}
 
-  /// As of the last prepare_for_queries(), update() or end_waiting(): a few changes may wait.
+  /// Returns the set as of the last prepare_for_queries(), update() or end_waiting(): a few changes
+  /// may wait.
   const BoxSet& set() const { return set_; }
 
-  /// As of a box set: of these insert() alone may throw, and has then not happened. A proxy that
-  /// is erased must not come again before the next update.
+  /// Change a box as BoxSet does. Of these insert() alone may throw, and has then not happened. A
+  /// proxy that is erased must not come again before the next update.
   void insert(std::uint32_t proxy, const Aabb& box);
   void move(std::uint32_t proxy, const Aabb& box);
   void erase(std::uint32_t proxy);
@@ -56,7 +57,8 @@ class OverlapTracker {
   /// True if so many changes are handled by a search for all pairs.
   bool are_many(std::size_t changes) const;
 
-  /// The same, of so many boxes.
+  /// Move many boxes as ManyMoves does. All of them count as changed: a search for all pairs
+  /// follows.
   void move_first(std::span<const Aabb> boxes) {
     end_waiting();
     note_many();
@@ -81,9 +83,9 @@ class OverlapTracker {
     set_.order().prepare_for_queries();
   }
 
-  /// Makes the lists fit the boxes. False if there was nothing to do. If it throws, the list of
-  /// pairs is the one of before, nothing began or ended, and the next update tells what has since
-  /// then.
+  /// Makes the lists fit the boxes. Returns false if there was nothing to do. If it throws, the
+  /// list of pairs is the one of before, nothing began or ended, and the next update tells what has
+  /// since then.
   bool update();
 
   std::span<const BoxPair> pairs() const { return pairs_.pairs(); }
@@ -99,7 +101,7 @@ class OverlapTracker {
   /// A box that has changed since the last update, as it was then.
   struct ChangedBox {
     OrderedBox before;    ///< no_box() for one that is new
-    std::uint32_t place;  ///< in the set; kNullIndex for one that is new
+    std::uint32_t place;  ///< its place in the set; kNullIndex for one that is new
     std::uint32_t proxy;
   };
   enum class Verb { Insert, Move, Erase };
@@ -109,8 +111,8 @@ class OverlapTracker {
     Aabb box;
   };
   struct Mover {
-    std::uint32_t place;    ///< now, or where it was if it is gone
-    std::uint32_t changed;  ///< which entry of changed_
+    std::uint32_t place;    ///< its place now, or where it was if it is gone
+    std::uint32_t changed;  ///< its index in changed_
   };
 
   const ChangedBox& changed_box_of(const Mover& mover) const { return changed_[mover.changed]; }
@@ -134,25 +136,25 @@ class OverlapTracker {
   BoxSet set_;
   PairBuffer pairs_;
   PairBuffer before_;  ///< the list before the last search for all
-  PairIndex index_;    ///< of pairs_, while it is built
+  PairIndex index_;    ///< the places of pairs in pairs_, while it is built
   PairBuffer sorted_;
-  bool is_sorted_ = false;  ///< sorted_ holds pairs_
+  bool is_sorted_ = false;  ///< whether sorted_ holds pairs_
   PairRows rows_, rows_before_;
-  bool is_grouped_ = false;         ///< rows_ holds pairs_
-  bool is_before_grouped_ = false;  ///< rows_before_ holds before_
+  bool is_grouped_ = false;         ///< whether rows_ holds pairs_
+  bool is_before_grouped_ = false;  ///< whether rows_before_ holds before_
   RowsToSort rows_to_sort_;
-  bool has_difference_ = true;  ///< begun_ and ended_ are up to date
+  bool has_difference_ = true;  ///< whether begun_ and ended_ are up to date
   bool is_difference_sorted_ = true;
   PairBuffer begun_, ended_;
   static constexpr std::size_t kMostWaiting = 8;
   std::array<WaitingChange, kMostWaiting> waiting_;
   std::size_t waiting_count_ = 0;
-  std::vector<ChangedBox> changed_;  ///< while they are few
-  std::vector<bool> is_changed_;     ///< by proxy
+  std::vector<ChangedBox> changed_;  ///< the boxes that changed, while they are few
+  std::vector<bool> is_changed_;     ///< for each proxy, whether it is in changed_
   bool have_many_changed_ = false;
   std::vector<std::uint32_t> ends_;  ///< working memory of sort_pairs()
   std::vector<Mover> movers_;
-  FormerBoxes former_;  ///< where they were
+  FormerBoxes former_;  ///< the places where movers were
   PairBuffer former_pairs_;
   std::vector<MoverOverlap> overlaps_;
   Lookup lookup_;

@@ -5,13 +5,15 @@
 namespace graze::bvh {
 namespace {
 
-/// Few references need few bins: most nodes are near the leaves, where sweeping costs the most.
+/// Returns the number of bins. Few references need few bins: most nodes are near the leaves, where
+/// sweeping costs the most.
 int bin_count(std::size_t references) {
   return references <= 32 ? 8 : kMostRows;
 }
 
-/// One of so many references is put into a bin: a few thousand tell where to cut as well as all do,
-/// and boxes are cheaper to find along the way to the sides than in three bins each.
+/// Returns how many references there are for each that is put into a bin: a few thousand tell where
+/// to cut as well as all do, and boxes are cheaper to find along the way to the sides than in three
+/// bins each.
 std::size_t stride_of(std::size_t references) {
   return references < 8192 ? 1 : references / 2048;
 }
@@ -44,9 +46,9 @@ void extend(Bounds& bounds, const Bounds& box, IntLanes mask) {
   bounds.max = larger(std::bit_cast<Lanes>(std::bit_cast<IntLanes>(box.max) | mask), bounds.max);
 }
 
-/// Each reference changes places with the first of those behind, which then is one further on if
-/// it belongs in front: a branch would be mispredicted every other time. In a mask all bits set are
-/// NaN, which adds nothing.
+/// Moves the references in front of the cut to the front. Each reference changes places with the
+/// first of those behind, which then is one further on if it belongs in front: a branch would be
+/// mispredicted every other time. In a mask all bits set are NaN, which adds nothing.
 template <int kAxis, bool kWithBoxes>
 std::size_t partition_along(std::span<Reference> range, const BinSplit& split,
                             CentroidBounds (&centroids)[2], Bounds (&boxes)[2]) {
@@ -60,8 +62,8 @@ std::size_t partition_along(std::span<Reference> range, const BinSplit& split,
     const Reference reference = place;
     const Lanes centroid = centroid_of(reference.box);
     const Lanes along = __builtin_shufflevector(centroid, centroid, kAxis, kAxis, kAxis, kAxis);
-    // The sign of a difference, which is zero for equals only. A comparison would do; g++ 12 makes
-    // more of what follows it.
+    // This is the sign of a difference, which is zero for equals only. A comparison would do, but
+    // g++ 12 makes more of what follows it.
     const IntLanes is_front = std::bit_cast<IntLanes>((along - low) * bins_per_unit - row) >> 31;
     const IntLanes is_behind = ~is_front;
     const IntLanes of_centroid = std::bit_cast<IntLanes>(centroid);

@@ -7,14 +7,15 @@ namespace graze::bvh {
 
 /// The cheapest plane between bins of centroids.
 struct BinSplit {
-  Cut cut;  ///< axis is negative when all centroids fall together
+  Cut cut;  ///< its axis is negative when all centroids fall together
   Lanes low;
   Lanes bins_per_unit;
-  bool is_sampled;  ///< the plane is known, but not what is on its sides:
-  Bounds boxes[2];  ///< around those in front, and behind
+  bool is_sampled;  ///< true if the plane is known, but not what is on its sides
+  Bounds boxes[2];  ///< the boxes around those in front, and behind
 };
 
-/// Of several references, along all three axes. Of very many only some are looked at.
+/// Returns the cheapest split of several references, along all three axes. Of very many references
+/// only some are looked at.
 BinSplit find_bin_split(std::span<const Reference> references, const Part& part,
                         const SweepCosts& costs);
 

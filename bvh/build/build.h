@@ -8,11 +8,11 @@
 namespace graze::bvh {
 
 struct BuildSettings {
-  /// Leaves hold at most this many primitives. More makes smaller trees and more primitive tests.
+  /// Leaves hold at most this many primitives. More make smaller trees and more primitive tests.
   std::uint32_t max_leaf_size = 4;
-  /// What testing a primitive costs, in tests of a node. Dearer primitives make smaller leaves.
+  /// The cost of testing a primitive, in tests of a node. Dearer primitives make smaller leaves.
   float primitive_cost = 1.5f;
-  /// What a place that a leaf leaves empty costs, in primitives, where more than four are divided:
+  /// The cost of a place that a leaf leaves empty, in primitives, where more than four are divided:
   /// from 0 for nothing to 1, where a leaf costs the same however full it is. Dearer places make
   /// fewer and fuller leaves.
   float empty_place_cost = 0;
@@ -21,10 +21,10 @@ struct BuildSettings {
 /// Builds a tree over the boxes of at least one and at most 2^31 - 1 primitives, by the surface
 /// area heuristic on 16 bins of centroids (Wald, "On fast construction of SAH-based bounding volume
 /// hierarchies", 2007), on all orders of centroids where there are at most eight, and on all trees
-/// where there are at most four. O(n log n); depth is at most 64 + log2 n even where centroids
-/// coincide or crowd exponentially. Needs less than 60 bytes a primitive beside its result.
-/// Parallel by oneTBB; the tree is the same for any number of threads. Throws InputError for no
-/// boxes, one that is not valid, or an empty_place_cost that is not from 0 to 1.
+/// where there are at most four. It takes O(n log n); the depth is at most 64 + log2 n even where
+/// centroids coincide or crowd exponentially. It needs less than 60 bytes a primitive beside its
+/// result. It is parallel by oneTBB; the tree is the same for any number of threads. Throws
+/// InputError for no boxes, one that is not valid, or an empty_place_cost that is not from 0 to 1.
 Tree build(std::span<const Aabb> boxes, const BuildSettings& settings = {});
 
 }  // namespace graze::bvh

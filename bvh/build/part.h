@@ -4,7 +4,7 @@
 
 namespace graze::bvh {
 
-/// The smallest box around centroids, as Bounds are.
+/// The smallest box around centroids, kept as Bounds are.
 struct CentroidBounds {
   Lanes minus_low;
   Lanes high;
@@ -25,14 +25,14 @@ static inline CentroidBounds empty_centroid_bounds() {
 struct Part {
   std::size_t begin = 0;
   std::size_t end = 0;
-  int depth = 0;  ///< how many nodes are above
+  int depth = 0;  ///< how many nodes are above the part
   Bounds box = empty_bounds();
   CentroidBounds centroids = empty_centroid_bounds();
 
   std::size_t size() const { return end - begin; }
 };
 
-/// Of the references from begin to end, by looking at each.
+/// Returns the part of the references from begin to end; it looks at each.
 Part part_of(std::span<const Reference> references, std::size_t begin, std::size_t end, int depth);
 
 }  // namespace graze::bvh

@@ -31,7 +31,7 @@ static inline Reference reference_to(const Bounds& box, std::uint32_t index) {
   return {{std::bit_cast<Lanes>(bits), max}};
 }
 
-/// References that are about to be written: no time is spent on clearing them.
+/// References that are about to be written, so that no time is spent on clearing them.
 struct References {
   std::unique_ptr<Reference[]> data;
   std::size_t size = 0;
@@ -42,7 +42,7 @@ struct References {
   std::span<Reference> all() { return {data.get(), size}; }
 };
 
-/// To `count` primitives, whose local box `box_of(i)` says. Parallel.
+/// Makes references to `count` primitives, whose local box `box_of(i)` says, in parallel.
 template <typename BoxOf>
 References references_made(std::size_t count, const BoxOf& box_of) {
   References references(count);
@@ -57,7 +57,7 @@ References references_made(std::size_t count, const BoxOf& box_of) {
   return references;
 }
 
-/// To these primitives, in this order. Parallel.
+/// Makes references to these primitives, in this order, in parallel.
 template <typename BoxOf>
 References references_made(std::span<const std::uint32_t> primitives, const BoxOf& box_of) {
   References references(primitives.size());
@@ -72,10 +72,10 @@ References references_made(std::span<const std::uint32_t> primitives, const BoxO
   return references;
 }
 
-/// To all boxes, in their order, rounded outward in the frame. Parallel.
+/// Makes references to all boxes, in their order, rounded outward in the frame, in parallel.
 References references_to(std::span<const Aabb> boxes, const LocalFrame& frame);
 
-/// To those of these primitives, in this order.
+/// Makes references to the boxes of these primitives, in this order.
 References references_to(std::span<const Aabb> boxes, const LocalFrame& frame,
                          std::span<const std::uint32_t> primitives);
 

@@ -3,7 +3,7 @@
 namespace graze::bvh {
 namespace {
 
-/// What the rows on one side of a cut hold.
+/// The boxes and the primitives of the rows on one side of a cut.
 struct Side {
   Bounds box[3] = {empty_bounds(), empty_bounds(), empty_bounds()};
   IntLanes count = {};
@@ -14,7 +14,7 @@ struct Side {
     count += row.count;
   }
 
-  /// The primitives' weight times the measure of their box.
+  /// Returns the primitives' weight times the measure of their box.
   Lanes cost(const SweepCosts& costs) const {
     const Lanes a = size_of(box[0]);
     const Lanes b = size_of(box[1]);

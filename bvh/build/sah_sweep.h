@@ -7,7 +7,8 @@ namespace graze::bvh {
 /// Half surfaces below this underflow when they are split further.
 constexpr float kSmallestSurface = 1e-30f;
 
-/// Primitives on one line have no surface that could tell splits apart: their length does.
+/// The measures by which splits are compared. Primitives on one line have no surface that could
+/// tell splits apart: their length does.
 enum class Measure { Surface, Length };
 
 static inline float measured(const Bounds& box, Measure measure) {
@@ -19,35 +20,36 @@ static inline Measure measure_for(const Bounds& box) {
   return measured(box, Measure::Surface) > kSmallestSurface ? Measure::Surface : Measure::Length;
 }
 
-/// The measures of four boxes whose sizes along x, y and z are given lane by lane.
+/// Returns the measures of four boxes whose sizes along x, y and z are given lane by lane.
 static inline Lanes measured(Lanes x, Lanes y, Lanes z, Measure measure) {
   return measure == Measure::Surface ? x * (y + z) + y * z : x + y + z;
 }
 
-/// At most this many rows are swept at once.
+/// The largest number of rows that are swept at once.
 constexpr int kMostRows = 16;
 
-/// What lies at one place along each of the three axes, such as a bin of centroids. A power of two
-/// in size, so that finding one by its number is a shift.
+/// The primitives at one place along each of the three axes, such as a bin of centroids. Its size
+/// is a power of two, so that finding one by its number is a shift.
 struct alignas(128) SweepRow {
   Bounds box[3];
-  IntLanes count;  ///< of primitives, an axis each; without any, the box is empty_bounds()
+  IntLanes count;  ///< the number of primitives for each axis; without any, the box is
+                   ///< empty_bounds()
 };
 
 static inline SweepRow empty_row() {
   return {{empty_bounds(), empty_bounds(), empty_bounds()}, IntLanes{}};
 }
 
-/// What primitives are weighed by: the measure of their box, times how many they are and, for each
-/// place that they leave empty in leaves of so many, a share of one more.
+/// The costs by which primitives are weighed: the measure of their box, times how many they are
+/// and, for each place that they leave empty in leaves of `leaf_size`, a share of one more.
 struct SweepCosts {
   Measure measure = Measure::Surface;
-  float leaf_size = 1;    ///< at least 1
-  float empty_place = 0;  ///< of a primitive
+  float leaf_size = 1;    ///< how many places a leaf has, at least 1
+  float empty_place = 0;  ///< the cost of an empty place as a share of a primitive's
 };
 
-/// So many primitives, with the places that they leave empty; 0 for none, whatever rounds. Where
-/// only some primitives are looked at, the places are theirs.
+/// Returns the weight of so many primitives, with the places that they leave empty; 0 for none,
+/// whatever rounds. Where only some primitives are looked at, the places are theirs.
 static inline Lanes weight_of(Lanes count, const SweepCosts& costs) {
   const Lanes size = all_lanes(costs.leaf_size);
   const IntLanes full_leaves = __builtin_convertvector(count / size, IntLanes);
@@ -64,7 +66,7 @@ struct Cut {
   float cost = 0;
 };
 
-/// The cheapest cut along all axes; of equals the one of the lowest axis and row.
+/// Returns the cheapest cut along all axes; of equals the one of the lowest axis and row.
 Cut cheapest_cut(const SweepRow* rows, int count, const SweepCosts& costs);
 
 }  // namespace graze::bvh

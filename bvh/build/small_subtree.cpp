@@ -7,7 +7,7 @@
 namespace graze::bvh {
 namespace {
 
-// Lanes of neighbours, going round.
+// Returns for each lane its neighbour, going round.
 Lanes next(Lanes a) {
   return __builtin_shufflevector(a, a, 1, 2, 3, 0);
 }
@@ -55,20 +55,20 @@ Lanes measured(const FourBoxes& box, Measure measure) {
                   box.max[2] + box.minus_min[2], measure);
 }
 
-/// What a leaf of several costs per measure of its box.
+/// Returns the cost of a leaf of several primitives for each measure of its box.
 float leaf_cost(float count, const BuildSettings& settings) {
   return count <= static_cast<float>(settings.max_leaf_size)
              ? count * settings.primitive_cost
              : std::numeric_limits<float>::infinity();
 }
 
-/// The cheapest way to hold each subset of four references, by the subsets' sizes. Lane i is about
+/// The cheapest ways to hold each subset of four references, by the subsets' sizes. Lane i is about
 /// references that begin at i and go round.
 struct Costs {
-  Lanes one;         // i
-  Lanes two;         // i, i + 1
-  Lanes two_across;  // i, i + 2
-  Lanes three;       // i, i + 1, i + 2
+  Lanes one;         ///< those of i
+  Lanes two;         ///< those of i, i + 1
+  Lanes two_across;  ///< those of i, i + 2
+  Lanes three;       ///< those of i, i + 1, i + 2
 };
 
 Costs costs_of(const Reference (&r)[kSmallSubtree], Measure measure,

@@ -4,7 +4,7 @@
 
 namespace graze::bvh {
 
-// The rank of a centroid is how many are smaller; of equals, those in front are.
+// The rank of a centroid is the number of smaller ones; of equals, those in front are smaller.
 SortSplit find_sort_split(std::span<const Reference> references, const SweepCosts& costs) {
   const int count = static_cast<int>(references.size());
   Lanes centroid[kMostSorted];

@@ -5,17 +5,17 @@
 
 namespace graze::bvh {
 
-/// Up to this many references are sorted to be split: cheaper than bins would be, and no plane
-/// between two centroids is missed.
+/// At most this many references are sorted to be split: that is cheaper than bins would be, and no
+/// plane between two centroids is missed.
 constexpr std::size_t kMostSorted = 8;
 
 /// References in the order of their centroids along each axis.
 struct SortSplit {
-  Cut cut;  ///< of the order along its axis; always found
+  Cut cut;  ///< a cut of the order along its axis; it is always found
   std::uint8_t order[kMostSorted][4];
 };
 
-/// The cheapest cut of the orders along all three axes, of 2 to kMostSorted references.
+/// Returns the cheapest cut of the orders along all three axes, of 2 to kMostSorted references.
 SortSplit find_sort_split(std::span<const Reference> references, const SweepCosts& costs);
 
 /// Brings the part into the order of the split and returns both sides of the cut.

@@ -10,7 +10,7 @@ namespace {
 /// From this depth on ranges are halved by count, whatever the heuristic says.
 constexpr int kMaxHeuristicDepth = 64;
 
-/// Whether a cut promises less than a leaf. Nothing is divided by the measure of the part, which
+/// True if a cut promises less than a leaf. Nothing is divided by the measure of the part, which
 /// may be zero.
 bool is_cheaper_than_leaf(const Cut& cut, const Part& part, const SweepCosts& costs,
                           float primitive_cost) {
@@ -28,11 +28,13 @@ int widest_axis(const CentroidBounds& centroids) {
   return axis;
 }
 
-/// To two halves of equal count along the axis on which the centroids spread widest.
+/// Splits a part into two halves of equal count along the axis on which the centroids spread
+/// widest.
 void halve(std::span<Reference> references, const Part& part, Part (&sides)[2]) {
   const std::span<Reference> range = references.subspan(part.begin, part.size());
   const int axis = widest_axis(part_of(references, part.begin, part.end, 0).centroids);
-  // Sorted, because what order nth_element leaves is for the library to choose.
+  // The references are sorted, because the order that nth_element leaves is for the library to
+  // choose.
   std::sort(range.begin(), range.end(), [axis](const Reference& a, const Reference& b) {
     const float of_a = centroid_of(a.box)[axis];
     const float of_b = centroid_of(b.box)[axis];

@@ -5,7 +5,7 @@
 
 namespace graze::bvh {
 
-/// What split() makes of a part.
+/// The results of split().
 enum class SplitResult { Leaf, Inner };
 
 /// Reorders the references of a part of at least two so that its two sides lie one behind the

@@ -10,7 +10,7 @@ class Builder {
  public:
   Builder(std::span<Reference> references, const Part& part, const BuildSettings& settings)
       : references_(references.subspan(part.begin, part.size())), settings_(settings) {
-    // As many as wide trees need; smaller leaves have more, and grow once.
+    // Wide trees need as many nodes as this; smaller leaves make more, and memory grows once.
     nodes_.reserve(part.size() / 4 * 3 + 1);
     nodes_.push_back(node_over(part.box, 0, 0));
     build(0, {0, part.size(), part.depth, part.box, part.centroids});

@@ -7,7 +7,7 @@
 namespace graze::bvh {
 namespace {
 
-/// A part whose node is known, and what became of it.
+/// A part whose node is known.
 struct Open {
   std::size_t node;
   Part part;
@@ -17,8 +17,8 @@ struct Open {
 
 }  // namespace
 
-// Level by level, so that what tasks do to the parts of a level decides nothing about the order in
-// which nodes are made.
+// Parts are split level by level, so that the order in which nodes are made does not depend on what
+// tasks do to the parts of a level.
 TopTree split_top(std::span<Reference> references, std::size_t part_size,
                   const BuildSettings& settings, int depth) {
   TopTree tree;

@@ -15,8 +15,8 @@ struct TopTree {
 
 /// Splits all references down to parts of at most `part_size`, or larger ones where leaves may be
 /// larger, and puts the references of each side by side. With build_subtree() of the parts this is
-/// the same tree for any part size. `depth` nodes lie above the root. Parallel; the same for any
-/// number of threads.
+/// the same tree for any part size. `depth` nodes lie above the root. It is parallel; the result is
+/// the same for any number of threads.
 TopTree split_top(std::span<Reference> references, std::size_t part_size,
                   const BuildSettings& settings, int depth = 0);
 

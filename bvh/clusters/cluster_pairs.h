@@ -6,17 +6,18 @@
 
 namespace graze::bvh {
 
-/// Bit 8 i + j of each speaks of lane i of one cluster and lane j of another: whether their boxes
-/// overlap, and whether they share a label besides.
+/// The pairs of two clusters: bit 8 i + j of each number speaks of lane i of the one and lane j of
+/// the other, whether their boxes overlap, and whether they share a label besides.
 struct ClusterPairs {
   std::uint64_t overlapping = 0;
   std::uint64_t sharing = 0;
 };
 
-/// Two clusters in one frame. Exact, and the same on every SIMD target.
+/// Returns the pairs of two clusters in one frame. They are exact, and the same on every SIMD
+/// target.
 ClusterPairs pairs_of(const Cluster& a, const Cluster& b);
 
-/// One cluster with itself: each pair once, at the lower of its lanes.
+/// Returns the pairs of one cluster with itself: each pair once, at the lower of its lanes.
 ClusterPairs pairs_within(const Cluster& cluster);
 
 }  // namespace graze::bvh

@@ -1,4 +1,4 @@
-// Pairs of two clusters for each SIMD target that the compiler knows.
+// These find the pairs of two clusters for each SIMD target that the compiler knows.
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "graze/bvh/clusters/cluster_pairs_kernel.cpp"
@@ -25,7 +25,7 @@ HWY_INLINE std::uint64_t cluster_bits(Tag tag, Mask mask) {
   return bits[0];
 }
 
-/// The lanes of `b`, from `first` on, whose boxes overlap that of lane `i` of `a`.
+/// Returns the lanes of `b`, from `first` on, whose boxes overlap that of lane `i` of `a`.
 HWY_INLINE auto overlapping_lanes(const Cluster& a, std::uint32_t i, const Cluster& b,
                                   std::size_t first) {
   const ClusterTag tag;
@@ -72,7 +72,7 @@ HWY_EXPORT(pairs_of);
 
 namespace {
 
-/// Of each lane those behind it.
+/// The bits of each lane that stand for the lanes behind it.
 constexpr std::uint64_t kBehind = [] {
   std::uint64_t bits = 0;
   for (std::uint32_t i = 0; i < Cluster::kWidth; ++i)

@@ -23,28 +23,28 @@ struct alignas(32) Cluster {
 struct Clusters {
   static constexpr std::uint32_t kNone = ~std::uint32_t{0};
 
-  std::vector<Cluster> all;            ///< in the order of the leaves
-  std::vector<std::uint32_t> of_node;  ///< kNone above and below the cut
+  std::vector<Cluster> all;            ///< the clusters in the order of the leaves
+  std::vector<std::uint32_t> of_node;  ///< the cluster of each node; kNone above and below the cut
 
   bool is_cluster(std::uint32_t node) const { return of_node[node] != kNone; }
 };
 
-/// How many primitives are below each node. Linear time.
+/// Returns how many primitives are below each node, in linear time.
 std::vector<std::uint32_t> counts_below(const Tree& tree);
 
-/// How many clusters there will be. Linear time.
+/// Returns how many clusters there will be, in linear time.
 std::size_t cluster_count(const Tree& tree, const std::vector<std::uint32_t>& counts);
 
-/// Lane `lane`, which must be the next one, gets a primitive.
+/// Puts a primitive into lane `lane`, which must be the next one.
 void set_lane(Cluster& cluster, std::uint32_t lane, std::uint32_t primitive, const FloatBox& box,
               const std::uint32_t (&labels)[3]);
 
-/// Takes all out.
+/// Takes all primitives out.
 void make_empty(Cluster& cluster);
 
 /// Cuts a tree whose leaves hold no more than a cluster does. `box_of(place)` says the box in the
 /// tree's frame of the primitive at a place in the order of the leaves, `set_labels(place, labels)`
-/// its three labels. Linear time.
+/// its three labels. It takes linear time.
 template <typename BoxOf, typename SetLabels>
 Clusters clusters_of(const Tree& tree, BoxOf&& box_of, SetLabels&& set_labels) {
   Clusters clusters;

@@ -13,18 +13,18 @@ namespace graze {
 // give the sphere scaled, as long as no coordinate or difference of coordinates is denormal or
 // overflows.
 
-/// A sphere of a radius that is 5 to 20 per cent larger than need be, seldom more. Linear, few
-/// passes (Ritter, "An efficient bounding sphere", Graphics Gems, 1990).
+/// Returns a sphere of a radius that is 5 to 20 per cent larger than need be, seldom more. It takes
+/// linear time, few passes (Ritter, "An efficient bounding sphere", Graphics Gems, 1990).
 Sphere ritter_sphere(std::span<const Eigen::Vector3d> points);
 
-/// The smallest sphere, up to about 1e-14 of its radius and the rounding of its centre; never
-/// larger than Ritter's. Linear in practice, some ten passes. Deterministic (Welzl, "Smallest
-/// enclosing disks (balls and ellipsoids)", 1991; the pivoting of Gärtner, "Fast and robust
-/// smallest enclosing balls", 1999).
+/// Returns the smallest sphere, up to about 1e-14 of its radius and the rounding of its centre;
+/// never a larger one than Ritter's. It takes linear time in practice, some ten passes, and is
+/// deterministic (Welzl, "Smallest enclosing disks (balls and ellipsoids)", 1991; the pivoting of
+/// Gärtner, "Fast and robust smallest enclosing balls", 1999).
 Sphere bounding_sphere(std::span<const Eigen::Vector3d> points);
 
-/// The smallest sphere around both, rounded outward: if one surely contains the other, that one.
-/// Throws InputError, naming it, for a sphere that is not valid, or if the radius overflows.
+/// Returns the smallest sphere around both, rounded outward: if one surely contains the other, that
+/// one. Throws InputError, naming it, for a sphere that is not valid, or if the radius overflows.
 Sphere merged(const Sphere& sphere_a, const Sphere& sphere_b);
 
 }  // namespace graze

@@ -9,7 +9,7 @@ namespace {
 /// aside; null outside one, and in functions of the user's.
 thread_local const std::uint64_t* word_put_aside = nullptr;
 
-/// Sets a control word and which word is put aside, and at its end what was before. What happens
+/// Sets a control word and which word is put aside, and restores both at its end. What happens
 /// between is a call by address, which no arithmetic leaves.
 class Scope {
  public:
@@ -31,7 +31,8 @@ class Scope {
   const std::uint64_t* aside_before_;
 };
 
-/// Read from memory, the address is unknown also to an optimiser that sees all sources at once.
+/// The address is read from memory, so that it is unknown also to an optimiser that sees all
+/// sources at once.
 void make(OpaqueCall call) {
   void (*const volatile address)(const void*) = call.call;
   address(call.context);

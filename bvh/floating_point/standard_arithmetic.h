@@ -1,7 +1,7 @@
 #pragma once
 
-// How a thread computes with floating-point numbers: the word by which it tells its CPU, and calls
-// of functions with the word that the library needs.
+// This is about how a thread computes with floating-point numbers: the word by which it tells its
+// CPU, and calls of functions with the word that the library needs.
 
 #include <cstdint>
 #include <memory>
@@ -17,8 +17,8 @@
 
 namespace graze::bvh {
 
-/// What of the control word can change a result or raise a signal, as the thread has it now. Which
-/// exceptions have been met so far is no part of it.
+/// Returns the bits of the control word that can change a result or raise a signal, as the thread
+/// has them now. Which exceptions have been met so far is no part of it.
 std::uint64_t read_control_word();
 
 /// Sets these bits. Which exceptions have been met is left as it is.
@@ -64,7 +64,7 @@ inline void write_control_word(std::uint64_t word) {
 
 #else
 
-// What C++ knows of: the direction of rounding.
+// C++ knows of the direction of rounding alone.
 inline constexpr std::uint64_t kStandardControlWord = FE_TONEAREST;
 
 inline std::uint64_t read_control_word() {
@@ -87,10 +87,10 @@ struct OpaqueCall {
 /// a result or by an exception. Exceptions that the arithmetic met stay on record.
 void call_in_standard_arithmetic(OpaqueCall call);
 
-/// Likewise with the user's word.
+/// Makes the call in the same way with the user's word.
 void call_with_users_word(std::uint64_t users_word, OpaqueCall call);
 
-/// How the user of the library computes on this thread: what is set, unless
+/// Returns how the user of the library computes on this thread: what is set, unless
 /// call_in_standard_arithmetic() has put it aside.
 std::uint64_t users_control_word();
 
@@ -115,14 +115,14 @@ template <typename Function, typename Caller>
   }
 }
 
-/// What `function()` returns, computed as every bound of the library takes for granted: rounded to
-/// nearest, denormal numbers kept, no exception trapped.
+/// Returns what `function()` returns, computed as every bound of the library takes for granted:
+/// rounded to nearest, denormal numbers kept, no exception trapped.
 ///
 /// Every function that users call wraps its work so, and every task that another thread may take.
 /// Where the control word is right, which two to five nanoseconds tell, the function is called as
-/// any other and can be inlined. Where it is wrong the call goes by the
-/// function's address through another source: a compiler knows of no tie between the word and
-/// arithmetic, and would else move one past the other.
+/// any other and can be inlined. Where it is wrong the call goes by the function's address through
+/// another source: a compiler knows of no tie between the word and arithmetic, and would else move
+/// one past the other.
 template <typename Function>
 [[gnu::always_inline]] inline std::invoke_result_t<const Function&> in_standard_arithmetic(
     const Function& function) {
@@ -131,9 +131,9 @@ template <typename Function>
   return call_by_address(function, call_in_standard_arithmetic);
 }
 
-/// What `function()` returns, computed as the user of the library does: for functions that are his
-/// own, called in in_standard_arithmetic(). What such a function sets anew is gone when it ends.
-/// With a word: as on that thread from whose call this one computes.
+/// Returns what `function()` returns, computed as the user of the library does: for functions that
+/// are his own, called in in_standard_arithmetic(). What such a function sets anew is gone when it
+/// ends. With a word it is computed as on that thread from whose call this one computes.
 template <typename Function>
 std::invoke_result_t<const Function&> in_users_arithmetic(std::uint64_t users_word,
                                                           const Function& function) {

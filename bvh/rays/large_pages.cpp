@@ -14,7 +14,8 @@ namespace {
 
 constexpr std::size_t kWorthLargePages = std::size_t{1} << 22;
 
-// Linux 6.1 and later; older headers do not name it, and older kernels refuse it.
+// The number of MADV_COLLAPSE in Linux 6.1 and later; older headers do not name it, and older
+// kernels refuse it.
 constexpr int kCollapse = 25;
 
 }  // namespace

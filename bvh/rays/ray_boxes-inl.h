@@ -1,4 +1,4 @@
-// Which children of a node a ray may meet. Included once for each SIMD target.
+// This tells which children of a node a ray may meet. It is included once for each SIMD target.
 
 #if defined(GRAZE_BVH_RAY_BOXES) == defined(HWY_TARGET_TOGGLE)
 #ifdef GRAZE_BVH_RAY_BOXES
@@ -26,7 +26,7 @@ HWY_INLINE std::uint32_t ray_bits(Mask mask) {
   return bits[0];
 }
 
-/// What boxes are asked with.
+/// A ray's numbers in the lanes of registers, as boxes are compared with them.
 class RayBoxes {
  public:
   HWY_INLINE explicit RayBoxes(const RayWalkState& ray)
@@ -39,8 +39,8 @@ class RayBoxes {
     }
   }
 
-  /// The bits of the children that the ray is not sure to miss before the limit, and values that
-  /// are not above any s in them.
+  /// Returns the bits of the children that the ray is not sure to miss before the limit. Writes to
+  /// `enters` values that are not above any s in them.
   HWY_INLINE std::uint32_t near_children(const RayNode& node, float limit, float* enters) const {
     const RayTag tag;
     const float* const rows = node.box[0];

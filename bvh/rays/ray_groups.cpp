@@ -6,8 +6,8 @@
 namespace graze::bvh {
 namespace {
 
-/// What a node costs beside its surface, so that there are fewer where that makes no difference to
-/// rays: in shares of a primitive in the surface of the box of all.
+/// The cost of a node beside its surface, so that there are fewer nodes where that makes no
+/// difference to rays. It is a share of a primitive in the surface of the box of all.
 constexpr float kRoom = 4;
 
 }  // namespace
@@ -25,7 +25,7 @@ RayGroups::RayGroups(const Tree& tree, std::uint32_t leaf_size)
       const Places a = below_[node.first], b = below_[node.first + 1];
       below_[i] = {std::min(a.first, b.first), a.count + b.count};
     }
-    // A leaf is asked as fast as a node.
+    // A leaf is compared as fast as a node.
     const auto binary = static_cast<std::uint32_t>(i);
     const float surface = half_surface(node.box);
     if (is_leaf(binary)) {

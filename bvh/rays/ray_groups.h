@@ -1,6 +1,6 @@
 #pragma once
 
-// Which nodes of a binary tree become the children of one wide node. Private.
+// This decides which nodes of a binary tree become the children of one wide node. It is private.
 
 #include <graze/bvh/tree/tree.h>
 
@@ -20,11 +20,12 @@ class RayGroups {
 
   bool is_leaf(std::uint32_t binary) const { return below_[binary].count <= leaf_size_; }
 
-  /// Places of all that is below a node of the binary tree.
+  /// Return the places of all that is below a node of the binary tree.
   std::uint32_t first(std::uint32_t binary) const { return below_[binary].first; }
   std::uint32_t count(std::uint32_t binary) const { return below_[binary].count; }
 
-  /// Fills in the children of the wide node that the binary one becomes; how many.
+  /// Fills in the children of the wide node that the binary one becomes. Returns how many there
+  /// are.
   std::uint32_t children(std::uint32_t binary, std::uint32_t (&found)[kWidth]) const;
 
  private:
@@ -44,7 +45,8 @@ class RayGroups {
   const Tree& tree_;
   std::uint32_t leaf_size_;
   std::vector<Places> below_;
-  std::vector<std::array<float, kWidth>> costs_;  ///< as at most 1, 2, ... children of another
+  std::vector<std::array<float, kWidth>> costs_;  ///< costs as at most 1, 2, ... children of
+                                                  ///< another node
 };
 
 }  // namespace graze::bvh

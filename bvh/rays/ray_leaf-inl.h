@@ -1,5 +1,5 @@
-// Which primitives of a leaf a ray surely misses, and which it surely meets. Included once for each
-// SIMD target.
+// This tells which primitives of a leaf a ray surely misses, and which it surely meets. It is
+// included once for each SIMD target.
 //
 // Along its main axis z the ray moves by (lean x, lean y) for each unit, so that in the leaned
 // coordinates X = (x - o_x) - lean_x (z - o_z), and Y alike, it is at 0 throughout (Woop, Benthin,
@@ -7,12 +7,12 @@
 // the three of a triangle times one factor: two that differ are a sure miss, three alike a passage.
 //
 // Bounds. Let B be X of the leaf's corner, e its extents, and E = |B| + e_x + e_z. X as computed is
-// off by half a step of the grid along x and z each, by twice the slack, and by rounding: 3 |B| +
-// 5 e_x + 8 e_z times 2^-24, below 2^-20.9 E. If both X and Y are off by at most r, and N is the
+// off by half a step of the grid along x and z each, by twice the slack, and by rounding: 3 |B| + 5
+// e_x + 8 e_z times 2^-24, below 2^-20.9 E. If both X and Y are off by at most r, and N is the
 // largest |X| + |Y| of the three corners, an edge's product is off by 2 r N + 2 r^2, and by its own
-// rounding, 2^-23 N^2. N being below 2.01 E, that is below 2^-21.9 E N: so the bound is
-// 2 r' (N + r'), with 2^-20 E in r', which covers also what it is rounded itself, 5 2^-24 of it. It
-// is not below 2^-90, where no underflow counts. s is off by 2 for each unit of z
+// rounding, 2^-23 N^2. N being below 2.01 E, that is below 2^-21.9 E N: so the bound is 2 r' (N +
+// r'), with 2^-20 E in r', which covers also what it is rounded itself, 5 2^-24 of it. It is not
+// below 2^-90, where no underflow counts. s is off by 2 for each unit of z
 // (tests/proofs/ray_leaves.gappa).
 
 #if defined(GRAZE_BVH_RAY_LEAF) == defined(HWY_TARGET_TOGGLE)
@@ -30,17 +30,17 @@ HWY_BEFORE_NAMESPACE();
 namespace graze::bvh::HWY_NAMESPACE {
 namespace {
 
-/// Half a step, and a little.
+/// Half a step of a leaf's grid, and a little more.
 inline constexpr float kHalfStep = 0x1.01p-11f;
 inline constexpr float kLeafRounding = 0x1p-20f;
 inline constexpr float kExtentShare = kHalfStep + kLeafRounding;
 
 /// A leaf as a ray sees it.
 struct SeenLeaf {
-  float base[2];         ///< leaned coordinates of the least corner
-  float step[3];         ///< of one, of coordinates as they are read
-  float leaned_step[2];  ///< of one along z
-  float bound;           ///< of leaned coordinates
+  float base[2];         ///< the leaned coordinates of the least corner
+  float step[3];         ///< one step of the grid, of coordinates as they are read
+  float leaned_step[2];  ///< one step along z in leaned coordinates
+  float bound;           ///< the bound of errors of leaned coordinates
   float along_step;
   float along_least;  ///< s of the least corner, less and plus what it is off by
   float along_most;
@@ -70,14 +70,14 @@ struct SeenLeaf {
   }
 };
 
-/// Lanes of a leaf's primitives.
+/// The answer for the lanes of a leaf's primitives, as bits.
 struct LeafAnswer {
-  std::uint32_t near;  ///< not surely missed before the limit
-  std::uint32_t sure;  ///< surely met before it
+  std::uint32_t near;  ///< those that are not surely missed before the limit
+  std::uint32_t sure;  ///< those that are surely met before it
 };
 
-/// One coordinate of a row of corners, where it is among the bits: at most thirty, of which ten are
-/// not 0, so that a float holds it.
+/// Returns one coordinate of a row of corners, where it is among the bits: at most thirty, of which
+/// ten are not 0, so that a float holds it.
 HWY_INLINE RayLanes corner_lanes(hn::Vec<hn::Rebind<std::uint32_t, RayTag>> packed,
                                  std::uint32_t mask) {
   const hn::Rebind<std::uint32_t, RayTag> bits;
@@ -85,7 +85,7 @@ HWY_INLINE RayLanes corner_lanes(hn::Vec<hn::Rebind<std::uint32_t, RayTag>> pack
   return hn::ConvertTo(RayTag(), hn::BitCast(signed_bits, hn::And(packed, hn::Set(bits, mask))));
 }
 
-/// As many primitives as there are lanes, from `lane` on.
+/// Answers for as many primitives as there are lanes, from `lane` on.
 HWY_INLINE LeafAnswer ask_lanes(const std::uint32_t* corners, std::uint32_t count, std::size_t lane,
                                 const SeenLeaf& leaf, const RayWalkState& ray, float* least,
                                 float* most) {

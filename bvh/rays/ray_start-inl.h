@@ -1,4 +1,5 @@
-// Where a ray's walk begins, and what it needs of the ray. Included once for each SIMD target.
+// This begins a ray's walk, and computes what the walk needs of the ray. It is included once for
+// each SIMD target.
 
 #if defined(GRAZE_BVH_RAY_START) == defined(HWY_TARGET_TOGGLE)
 #ifdef GRAZE_BVH_RAY_START
@@ -24,20 +25,21 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 using StartTag = hn::CappedTag<double, 4>;
 
-// Derived in ray_tree_walk.h.
+// These are derived in ray_tree_walk.h.
 inline constexpr double kBoxRounding = 0x1p-19;
 inline constexpr double kLeastComponent = 0x1p-30;
 
 inline constexpr float kGridStep = 1.0f / 1023;
 
-// What coordinates of corners, lean and origin are off by as doubles, times what they are
+// Coordinates of corners, lean and origin are off by this as doubles, times what they are
 // multiplied with: 16 u of what is below 2^4 and the slack.
 inline constexpr double kExactRounding = 0x1p-44;
 
-// More slack than that, and nothing is pruned. Further away than 2^65 there is as much.
+// With more slack than this nothing is pruned. There is as much where the ray begins further away
+// than 2^65.
 inline constexpr double kMostSlack = 0x1p20;
 
-// By how far a ray is elsewhere for each metre from the tree's centre
+// A ray may be elsewhere by this share of its distance from the tree's centre
 // (engine/mesh/probe/mesh_ray.cpp).
 inline constexpr double kRaySlack = 256 * 0x1p-53;
 
@@ -71,8 +73,8 @@ struct LocalRay {
   }
 };
 
-/// entry() at the box of all. A component below kParallel is taken for that, which moves the ray by
-/// less than its slack.
+/// The answer of entry() for the box of all. A component below kParallel is taken for that, which
+/// moves the ray by less than its slack.
 struct RayEntry {
   double enter;
   alignas(32) double inverse[4];
@@ -99,7 +101,8 @@ struct RayEntry {
   }
 };
 
-/// What boxes are asked with. `origin` becomes the point where the walk starts.
+/// Fills in the numbers that boxes are compared with. `origin` becomes the point where the walk
+/// starts.
 HWY_INLINE void start_boxes(const LocalRay& ray, const RayEntry& entry, RayWalkState& state,
                             double* origin) {
   const StartTag tag;
@@ -140,12 +143,12 @@ constexpr RayAxes axes_for(std::uint32_t x, std::uint32_t y, std::uint32_t z) {
 }
 inline constexpr RayAxes kRayAxes[3] = {axes_for(1, 2, 0), axes_for(2, 0, 1), axes_for(0, 1, 2)};
 
-/// What leaves are asked with.
+/// Fills in the numbers that leaves are compared with.
 HWY_INLINE void start_leaves(const LocalRay& ray, const RayEntry& entry, const double* origin,
                              RayWalkState& state) {
   const double x = std::abs(ray.direction[0]), y = std::abs(ray.direction[1]),
                z = std::abs(ray.direction[2]);
-  // Without a branch, which is mispredicted where rays go anywhere.
+  // There is no branch, which would be mispredicted where rays go anywhere.
   const std::size_t is_z = static_cast<std::size_t>(z > x) & static_cast<std::size_t>(z > y);
   const std::size_t most = 2 * is_z | (static_cast<std::size_t>(y > x) & ~is_z);
   const RayAxes& axes = kRayAxes[most];

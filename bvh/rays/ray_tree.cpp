@@ -23,7 +23,7 @@ RayNode empty_node() {
   return node;
 }
 
-/// A wide node whose children's places are not known yet.
+/// Returns a wide node whose children's places are not known yet.
 RayNode node_over(const Tree& tree, const RayGroups& groups,
                   const std::uint32_t (&children)[RayNode::kWidth], std::uint32_t count) {
   RayNode node = empty_node();
@@ -39,7 +39,7 @@ RayNode node_over(const Tree& tree, const RayGroups& groups,
   return node;
 }
 
-/// All nodes, each before what is below it.
+/// The nodes in the order in which they are laid out, each before what is below it.
 struct Laid {
   std::vector<RayNode> nodes;
   std::uint32_t depth = 0;

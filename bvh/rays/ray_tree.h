@@ -8,8 +8,8 @@
 
 namespace graze::bvh {
 
-/// What a lane of a RayNode holds: another node, where a RayTree has it, or a leaf of up to eight
-/// primitives, whose places begin at `place()`.
+/// The contents of a lane of a RayNode: another node, where a RayTree has it, or a leaf of up to
+/// eight primitives, whose places begin at `place()`.
 class RayChild {
  public:
   static constexpr std::uint32_t kPlaceBits = 28;
@@ -32,9 +32,9 @@ class RayChild {
   std::uint32_t bits_;
 };
 
-/// Up to eight boxes, as a ray asks for them. Lane j of each row speaks of child j, whose box (law
-/// 5) reaches from box[2 k][j] to box[2 k + 1][j] along axis k. Boxes of lanes without a child are
-/// empty.
+/// A wide node of up to eight boxes, as a ray is compared with them. Lane j of each row speaks of
+/// child j, whose box (law 5) reaches from box[2 k][j] to box[2 k + 1][j] along axis k. Boxes of
+/// lanes without a child are empty.
 struct alignas(32) RayNode {
   static constexpr std::uint32_t kWidth = 8;
 
@@ -43,26 +43,26 @@ struct alignas(32) RayNode {
 };
 static_assert(sizeof(RayNode) == 224, "seven half cache lines");
 
-/// Where a RayTree gets its primitives from, each as the hull of three points.
+/// The source of a RayTree's primitives, each as the hull of three points.
 class LocalCorners {
  public:
   virtual ~LocalCorners() = default;
 
-  /// The corners in the tree's frame, each coordinate off by a few roundings to double.
+  /// Writes the corners in the tree's frame, each coordinate off by a few roundings to double.
   virtual void of(std::uint32_t primitive, double (&corners)[3][3]) const = 0;
 };
 
 /// A binary tree collapsed for rays: nodes of eight boxes, leaves of up to eight primitives, which
-/// lie in the binary tree's order, so that place i is primitive `tree.primitives[i]`. 12 bytes a
-/// primitive, and with the nodes up to 20.
+/// lie in the binary tree's order, so that place i is primitive `tree.primitives[i]`. It takes 12
+/// bytes a primitive, and with the nodes up to 20.
 struct RayTree {
   static constexpr std::uint32_t kLeafSize = 8;
   static constexpr std::uint32_t kBits = 10;
   static constexpr std::uint32_t kSteps = (1u << kBits) - 1;
 
-  /// Where a node is, is counted in half cache lines.
+  /// The bytes in which the place of a node is counted: half a cache line.
   static constexpr std::size_t kUnit = 32;
-  /// Of which a walk keeps 29 bits, beside a lane.
+  /// The largest number of nodes: a walk keeps 29 bits of a node's place, beside a lane.
   static constexpr std::size_t kMostNodes = (std::size_t{1} << 29) / (sizeof(RayNode) / kUnit);
   static std::uint32_t where(std::size_t node) {
     return static_cast<std::uint32_t>(node * (sizeof(RayNode) / kUnit));
@@ -78,17 +78,19 @@ struct RayTree {
   };
 
   LocalFrame frame;
-  alignas(32) double low[4];  ///< of the box of all, and a lane that nobody asks
+  alignas(32) double low[4];  ///< the least coordinates of the box of all, and a lane that stands
+                              ///< for nothing
   alignas(32) double high[4];
-  /// The first is in front of the root, which is its only child.
+  /// The nodes. The first is in front of the root, which is its only child.
   std::unique_ptr<RayNode[], LargePages> nodes;
-  /// Of a leaf of n primitives from place p on, corner c of its primitive i is at 3 p + c n + i, in
-  /// ten bits for each coordinate, the first one lowest: steps of the grid across the leaf's box,
-  /// to the nearest. There is room behind all to read eight at once.
+  /// The corners of the leaves. In a leaf of n primitives from place p on, corner c of its
+  /// primitive i is at 3 p + c n + i, in ten bits for each coordinate, the first one lowest: steps
+  /// of the grid across the leaf's box, to the nearest. There is room behind all to read eight at
+  /// once.
   std::unique_ptr<std::uint32_t[], LargePages> corners;
   std::size_t node_count;           ///< 0 where a RayChild cannot name all that there is
-  std::size_t corner_count;         ///< with that room
-  std::uint32_t most_open;          ///< nodes that can wait at once in a walk
+  std::size_t corner_count;         ///< the number of corners, with that room
+  std::uint32_t most_open;          ///< how many nodes can wait at once in a walk
   const std::uint32_t* primitives;  ///< the binary tree's, place by place
 
   std::size_t bytes() const {
@@ -96,7 +98,7 @@ struct RayTree {
   }
 };
 
-/// Linear time, the most of it parallel.
+/// Returns the tree for rays over a binary tree, in linear time, the most of it parallel.
 RayTree ray_tree_over(const Tree& tree, const LocalCorners& corners);
 
 }  // namespace graze::bvh

@@ -1,5 +1,6 @@
-// A ray's walk through a RayTree for each SIMD target that the compiler knows. Bounds are outward
-// and what is unsure is handed on, so that targets need not agree in them for answers to agree.
+// A ray's walk through a RayTree is compiled for each SIMD target that the compiler knows. Bounds
+// are outward and what is unsure is handed on, so that targets need not agree in them for answers
+// to agree.
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "graze/bvh/rays/ray_tree_kernels.cpp"
@@ -41,7 +42,7 @@ HWY_INLINE std::uint32_t lane_of(Open open) {
   return static_cast<std::uint32_t>(open) & 7;
 }
 
-/// Has come nearer what is read when the children's turn comes.
+/// Fetches what is read when the children's turn comes.
 HWY_INLINE void fetch(const RayTree& tree, const RayNode& node, std::uint32_t lanes) {
   while (lanes != 0) {
     const RayChild child = node.child[take_lane(lanes)];
@@ -76,8 +77,8 @@ HWY_INLINE Open open_children(std::uint32_t where, std::uint32_t lanes, const fl
   return nearest;
 }
 
-/// What of a leaf is not surely missed; how many. Lowers the limit to sure hits, and says whether
-/// there were any, unless all are wanted.
+/// Lists the primitives of a leaf that are not surely missed, and returns how many. Lowers the
+/// limit to sure hits, and says whether there were any, unless all are wanted.
 HWY_INLINE std::size_t visit_leaf(const RayTree& tree, const RayNode& node, std::uint32_t of_leaf,
                                   RayWalkState& state, RayCandidate* found, bool& is_surely_hit) {
   const RayChild leaf = node.child[of_leaf];
@@ -139,7 +140,7 @@ HWY_INLINE std::size_t walk(const RayTree& tree, RayWalkState& state, Open* end)
       if (lanes == 0) break;
       met += static_cast<std::uint32_t>(std::popcount(lanes));
       if ((lanes & (lanes - 1)) == 0) {
-        // The next node does not wait for where the ray enters the only one.
+        // If there is only one, the next node does not wait for where the ray enters it.
         lane = first_lane(lanes);
       } else {
         fetch(tree, *node, lanes);
@@ -161,7 +162,7 @@ std::size_t walk_from_open(const RayTree& tree, RayWalkState& state) {
   return walk(tree, state, state.open + state.open_count);
 }
 
-/// The beginning of a walk, and all of most.
+/// Begins a walk; for most rays this is all of it.
 std::size_t walk_from_root(const RayTree& tree, const RayToWalk& ray, RayWalkState& state) {
   start_walk(tree, ray, state);
   if (state.open_count == 0) return 0;

@@ -10,8 +10,8 @@ float length(const FloatBox& box) {
   return (box.max[0] - box.min[0]) + (box.max[1] - box.min[1]) + (box.max[2] - box.min[2]);
 }
 
-/// Of an inner node with children that cost this much. How likely a line through its box meets a
-/// child's is the ratio of their surfaces or, of boxes without any, their lengths.
+/// Returns the cost of an inner node with children that cost this much. How likely a line through
+/// its box meets a child's is the ratio of their surfaces or, of boxes without any, their lengths.
 template <typename CostOf>
 float inner_cost(std::span<const Node> nodes, const Node& node, const CostOf& cost_of) {
   const std::size_t a = node.first;
@@ -33,7 +33,7 @@ bool has_degraded(std::span<const Node> nodes, const Growth& growth) {
   return is_any;
 }
 
-/// Whether a node is itself to blame: its boxes have grown into each other, which shows if its
+/// True if a node is itself to blame: its boxes have grown into each other, which shows if its
 /// children are thought as good as new, or nothing below has degraded as a whole. The former needs
 /// no more than a quarter of the growth that is tolerated, because it adds up over the levels.
 bool is_to_blame(std::span<const Node> nodes, const Node& node, const Growth& growth) {

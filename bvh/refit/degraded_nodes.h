@@ -8,10 +8,10 @@
 
 namespace graze::bvh {
 
-/// subtree_costs() of degradation.h, of nodes that need not be all of a tree.
+/// Answers subtree_costs() of degradation.h for nodes that need not be all of a tree.
 std::vector<float> subtree_costs(std::span<const Node> nodes, float primitive_cost);
 
-/// What each node cost when it was built, costs now, and by how much it may have grown.
+/// The costs of each node when it was built and now, and by how much they may have grown.
 struct Growth {
   std::span<const float> then;
   std::span<const float> now;
@@ -26,7 +26,7 @@ struct DegradedNode {
   int depth;
 };
 
-/// The uppermost of the degraded nodes that are to blame for it.
+/// Returns the uppermost of the degraded nodes that are to blame for it.
 std::vector<DegradedNode> find_degraded(std::span<const Node> nodes, const Growth& growth);
 
 }  // namespace graze::bvh

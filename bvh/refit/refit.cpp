@@ -11,7 +11,7 @@
 namespace graze::bvh {
 namespace {
 
-/// Nodes whose leaves one task fits.
+/// The number of nodes whose leaves one task fits.
 constexpr std::size_t kGrain = 2048;
 
 void fit_leaf(Node& leaf, std::span<const Reference> references) {

@@ -7,8 +7,8 @@
 namespace graze::bvh {
 
 /// Fits the volumes of a tree to new boxes of the same primitives, which may have moved anywhere;
-/// the topology stays. Linear time. Throws InputError for another number of boxes or an invalid
-/// one, and then leaves the tree as it was.
+/// the topology stays. It takes linear time. Throws InputError for another number of boxes or an
+/// invalid one, and then leaves the tree as it was.
 void refit(Tree& tree, std::span<const Aabb> boxes);
 
 }  // namespace graze::bvh

@@ -11,14 +11,14 @@ struct FittedReferences {
   References references;
 };
 
-/// Throws as refit() does.
+/// Makes references to the boxes in the order of the tree's primitives. Throws as refit() does.
 FittedReferences fitted_references(const Tree& tree, std::span<const Aabb> boxes);
 
-/// refit() of references to boxes that are known to be valid, in a frame around them: in the order
-/// of the tree's primitives.
+/// Does what refit() does with references to boxes that are known to be valid, in a frame around
+/// them: in the order of the tree's primitives.
 void refit(Tree& tree, std::span<const Reference> references, const LocalFrame& frame);
 
-/// refit_and_rebuild(), likewise.
+/// Does what refit_and_rebuild() does, with such references.
 std::size_t refit_and_rebuild(Tree& tree, std::vector<float>& costs,
                               std::span<const Reference> references, const LocalFrame& frame,
                               const RebuildSettings& settings = {});

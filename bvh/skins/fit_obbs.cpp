@@ -10,7 +10,7 @@
 namespace graze::bvh {
 namespace {
 
-/// The axes of `frame`, and the centre of the points along them.
+/// Returns a box with the axes of `frame`, and the centre of the points along them.
 FloatObb centred_along(std::span<const Eigen::Vector3d> points, const Pose& frame) {
   const double* m = frame.data();  // column-major 4x4: column i is axis i
   double low[3], high[3];
@@ -54,8 +54,8 @@ void set_half_extents(FloatObb& box, std::span<const Eigen::Vector3d> points) {
       half[i] = std::max(half[i], std::abs(along));
     }
   }
-  // Seen from the rotation that the axes stand for, each component of which is within kAxisError,
-  // a coordinate is off by kAxisError times the 1-norm of the offset, and by the points' rounding.
+  // Seen from the rotation that the axes stand for, each component of which is within kAxisError, a
+  // coordinate is off by kAxisError times the 1-norm of the offset, and by the points' rounding.
   const double margin = 1.01 * FloatObb::kAxisError * largest + 4 * Hulls::kRounding;
   for (int i = 0; i < 3; ++i)
     box.half[i] = rounded_up(half[i] + margin);

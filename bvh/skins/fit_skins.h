@@ -7,16 +7,18 @@
 
 namespace graze::bvh {
 
-// One volume for each node, in the order of the nodes, which holds all primitives below it.
-// Parallel by oneTBB; the same for any number of threads. `hulls` are those of the tree.
+// These fit one volume for each node, in the order of the nodes, which holds all primitives below
+// it. They are parallel by oneTBB; the result is the same for any number of threads. `hulls` are
+// those of the tree.
 
-/// The minimal spheres. O(n log n).
+/// Fits the minimal spheres in O(n log n).
 std::vector<FloatSphere> fit_spheres(const Tree& tree, const Hulls& hulls);
 
-/// Boxes along the axes of a ditetrahedron, or of the frame where these are no worse. O(n log n).
+/// Fits boxes along the axes of a ditetrahedron, or of the frame where these are no worse, in O(n
+/// log n).
 std::vector<FloatObb> fit_obbs(const Tree& tree, const Hulls& hulls);
 
-/// The smallest k-DOPs. O(n).
+/// Fits the smallest k-DOPs in O(n).
 std::vector<FloatKDop> fit_kdops(const Tree& tree, const Hulls& hulls);
 
 }  // namespace graze::bvh

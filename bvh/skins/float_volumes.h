@@ -4,8 +4,8 @@
 
 namespace graze::bvh {
 
-// What a skin holds for each node of a tree, in the tree's LocalFrame and rounded outward (law 5),
-// as FloatBox is.
+// The volumes that a skin holds for each node of a tree, in the tree's LocalFrame and rounded
+// outward (law 5), as FloatBox is.
 
 /// A closed ball.
 struct FloatSphere {

@@ -12,8 +12,8 @@ Hulls::Hulls(const Tree& tree, std::span<const Eigen::Vector3d> points, std::siz
     throw InputError("skin: " + std::to_string(points.size()) + " points for a tree of " +
                      std::to_string(tree.primitives.size()) + " primitives");
   }
-  // As in LocalFrame::to_local: one rounding, of the difference; scaling is exact, but for what
-  // vanishes below the smallest double.
+  // The points are rounded as in LocalFrame::to_local: once, in the difference; scaling is exact,
+  // but for what vanishes below the smallest double.
   const double scale = std::ldexp(1.0, -tree.frame.exponent);
   for (std::size_t i = 0; i < tree.primitives.size(); ++i) {
     for (std::size_t j = 0; j < per_primitive; ++j) {

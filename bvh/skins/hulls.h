@@ -16,11 +16,12 @@ class Hulls {
  public:
   static constexpr double kRounding = 0x1p-51;
 
-  /// `points` holds `per_primitive` points for each primitive of the tree, in the order of the
-  /// primitives' indices. Linear time. Throws InputError for another number of points.
+  /// Takes `points`, which holds `per_primitive` points for each primitive of the tree, in the
+  /// order of the primitives' indices. It takes linear time. Throws InputError for another number
+  /// of points.
   Hulls(const Tree& tree, std::span<const Eigen::Vector3d> points, std::size_t per_primitive);
 
-  /// The points of all primitives below a node.
+  /// Returns the points of all primitives below a node.
   std::span<const Eigen::Vector3d> below(std::size_t node) const;
 
  private:
@@ -30,7 +31,7 @@ class Hulls {
   };
 
   std::vector<Eigen::Vector3d> points_;
-  std::vector<Range> primitives_below_;  ///< of each node
+  std::vector<Range> primitives_below_;  ///< the primitives below each node
   std::size_t per_primitive_;
 };
 

@@ -8,14 +8,14 @@
 
 namespace graze::bvh {
 
-/// The nodes of a tree at one distance from its root, and what their volumes sum up to. The less
-/// they do, the less empty space they hold beside the same primitives.
+/// Counts the nodes of a tree at one distance from its root, and sums up their volumes. The smaller
+/// the sum is, the less empty space they hold beside the same primitives.
 struct LevelVolumes {
   std::size_t nodes = 0;
-  double volume = 0;  ///< cubic metres
+  double volume = 0;  ///< the sum of the volumes, cubic metres
 };
 
-// One element for each level from the root down. Linear time.
+// Return one element for each level from the root down, in linear time.
 std::vector<LevelVolumes> volumes_by_level(const Tree& tree);
 std::vector<LevelVolumes> volumes_by_level(const Tree& tree, std::span<const FloatSphere> skin);
 std::vector<LevelVolumes> volumes_by_level(const Tree& tree, std::span<const FloatObb> skin);

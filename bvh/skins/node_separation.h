@@ -27,7 +27,8 @@ class NodeSeparation {
   std::span<const Node> nodes_b_;
 };
 
-/// The same for two trees in one frame: boxes that share no point are apart, exactly.
+/// Proves pairs of nodes of two trees in one frame apart: boxes that share no point are apart,
+/// exactly.
 class NodeOverlap {
  public:
   NodeOverlap(std::span<const Node> nodes_a, std::span<const Node> nodes_b)

@@ -6,11 +6,11 @@
 namespace graze::bvh {
 namespace {
 
-// What the axes' rounding to float costs. Write Q_a, Q_b for the rotations that the axes stand for
-// and D for the offset of the centres in the frame of A's tree. An entry of M_a^T C M_b is off from
-// Q_a^T C Q_b by less than 4 kAxisError (each factor's rows have 1-norms below 1.74), one of
-// M_a^T D by 1.74 kAxisError |D|. Boxes that do meet have |D| of at most the sum S of all half
-// extents and the slack. So the distance along any of the fifteen axes, a sum of at most three
+// This is what the axes' rounding to float costs. Write Q_a, Q_b for the rotations that the axes
+// stand for and D for the offset of the centres in the frame of A's tree. An entry of M_a^T C M_b
+// is off from Q_a^T C Q_b by less than 4 kAxisError (each factor's rows have 1-norms below 1.74),
+// one of M_a^T D by 1.74 kAxisError |D|. Boxes that do meet have |D| of at most the sum S of all
+// half extents and the slack. So the distance along any of the fifteen axes, a sum of at most three
 // products of such an entry and a component of D, is off by less than 3 (4 + 1.74) kAxisError S,
 // and the sum of radii, at most four products of an entry and a half extent, by 4 kAxisError S. In
 // all below 22 kAxisError S.
@@ -26,7 +26,7 @@ bool ObbSeparation::are_apart(std::uint32_t a, std::uint32_t b) const {
   const FloatObb& box_a = skin_a_[a];
   const FloatObb& box_b = skin_b_[b];
   const double(&c)[3][3] = frame_.rotation;
-  double between[3];      // from centre to centre in the frame of A's tree
+  double between[3];      // the offset from centre to centre in the frame of A's tree
   double turned[3][3];    // [axis of B's box][component in the frame of A's tree]
   double rotation[3][3];  // row-major: B's box in the frame of A's
   double size[3][3], offset[3], half_a[3], half_b[3];

@@ -8,7 +8,7 @@
 namespace graze::bvh {
 
 /// Proves pairs of nodes apart by their oriented boxes: the separating axis test in the frame of
-/// the box of A, at the price of two products of matrices. True is sure; false is not.
+/// the box of A, at the price of two products of matrices. An answer of true is sure; false is not.
 class ObbSeparation {
  public:
   ObbSeparation(const RelativeFrame& frame, std::span<const FloatObb> skin_a,

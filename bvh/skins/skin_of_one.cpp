@@ -6,8 +6,9 @@
 namespace graze::bvh {
 namespace {
 
-/// The middle of an interval, and how far from it the interval reaches: differences of floats are
-/// exact in double unless their sizes are 2^29 apart, and then off by less than a float's step.
+/// Returns the middle of an interval. half_width() says how far from it the interval reaches:
+/// differences of floats are exact in double unless their sizes are 2^29 apart, and then off by
+/// less than a float's step.
 float middle(float low, float high) {
   return static_cast<float>(0.5 * (double{low} + high));
 }
@@ -79,7 +80,7 @@ FloatKDop kdop_around(const FloatSphere& sphere) {
 FloatSphere to_local(const LocalFrame& frame, const Sphere& sphere) {
   const double scale = std::ldexp(1.0, -frame.exponent);
   FloatSphere local;
-  double error = 0;  // of the centre, in the sum of its coordinates
+  double error = 0;  // the error of the centre, in the sum of its coordinates
   for (int k = 0; k < 3; ++k) {
     const double centre = (sphere.centre.data()[k] - frame.centre[k]) * scale;
     local.centre[k] = static_cast<float>(centre);

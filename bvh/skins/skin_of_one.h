@@ -6,14 +6,16 @@
 
 namespace graze::bvh {
 
-// The volumes of a query that is no mesh, as if they were a skin of one node, rounded outward.
+// These return the volumes of a query that is no mesh, as if they were a skin of one node, rounded
+// outward.
 
 FloatSphere sphere_around(const FloatBox& box);
 FloatObb obb_around(const FloatBox& box);
 FloatKDop kdop_around(const FloatBox& box);
 FloatKDop kdop_around(const FloatSphere& sphere);
 
-/// The ball in a frame that was made for its box, or for what of it is in the range of double.
+/// Returns the ball in a frame that was made for its box, or for what of it is in the range of
+/// double.
 FloatSphere to_local(const LocalFrame& frame, const Sphere& sphere);
 
 }  // namespace graze::bvh

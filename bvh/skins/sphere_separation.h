@@ -8,7 +8,8 @@
 namespace graze::bvh {
 
 /// Proves pairs of nodes apart by their spheres: squared distance of the centres against the square
-/// of the sum of the radii (*Real-Time Rendering*, 16.13.1). True is sure; false is not.
+/// of the sum of the radii (*Real-Time Rendering*, 16.13.1). An answer of true is sure; false is
+/// not.
 class SphereSeparation {
  public:
   SphereSeparation(const RelativeFrame& frame, std::span<const FloatSphere> skin_a,

@@ -7,11 +7,11 @@
 namespace graze::bvh {
 namespace {
 
-/// Two boxes in the frame of the first, common units, but for rounding.
+/// Two boxes in the frame of the first, in common units, but for rounding.
 struct PlacedBoxes {
   double half_a[3];
   double half_b[3];
-  double offset[3];  ///< from the centre of A's box to that of B's
+  double offset[3];  ///< the offset of the centre of B's box from that of A's
 
   PlacedBoxes(const RelativeFrame& frame, const FloatBox& a, const FloatBox& b) {
     const double(&r)[3][3] = frame.rotation;
@@ -31,7 +31,7 @@ struct PlacedBoxes {
   }
 };
 
-/// How far apart two boxes are along the axes of each.
+/// Says how far apart two boxes are along the axes of each.
 class FaceGaps {
  public:
   FaceGaps(const RelativeFrame& frame, const FloatBox& a, const FloatBox& b)
@@ -42,7 +42,7 @@ class FaceGaps {
     }
   }
 
-  // The largest of 0 and what is along each axis: never what is no number.
+  // The gaps are the largest of 0 and what is along each axis: never what is no number.
 
   double along_a() const {
     double gap = 0;
@@ -67,7 +67,7 @@ class FaceGaps {
   }
 
   const double (&rotation_)[3][3];
-  double size_[3][3];  ///< |rotation|
+  double size_[3][3];  ///< the absolute values of the rotation
   PlacedBoxes boxes_;
 };
 

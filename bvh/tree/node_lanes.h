@@ -5,14 +5,15 @@
 
 namespace graze::bvh {
 
-/// A Node as it lies in memory: its minimum and max[0]; the rest of its maximum, first and count.
+/// A Node as it lies in memory: its minimum and max[0] in one register, the rest of its maximum,
+/// first and count in the other.
 struct NodeLanes {
   Lanes low;
   Lanes high;
 };
 static_assert(sizeof(NodeLanes) == sizeof(Node));
 
-/// The node, made in registers.
+/// Returns the node, made in registers.
 static inline Node node_over(const Bounds& box, std::uint32_t first, std::uint32_t count) {
   const Lanes min = -box.minus_min;
   const Lanes across = __builtin_shufflevector(min, box.max, 2, 2, 4, 4);
@@ -22,7 +23,7 @@ static inline Node node_over(const Bounds& box, std::uint32_t first, std::uint32
                 __builtin_shufflevector(box.max, std::bit_cast<Lanes>(rest), 1, 2, 4, 5)});
 }
 
-/// The inner node around both children.
+/// Returns the inner node around both children.
 static inline Node node_around(const Node& a, const Node& b, std::uint32_t first) {
   constexpr IntLanes kOfMax = {0, 0, 0, -1};
   const auto lanes_a = std::bit_cast<NodeLanes>(a);

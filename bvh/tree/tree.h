@@ -18,8 +18,8 @@ struct Node {
 };
 static_assert(sizeof(Node) == 32, "two nodes, the children of one, fill a cache line");
 
-/// A hierarchy over primitives that are known by index alone. The one topology of the house: data,
-/// made by build(), changed by refit(), walked by the traverse_* loops.
+/// A hierarchy over primitives that are known by index alone. It is the one topology of the house:
+/// data that build() makes, refit() changes and the traverse_* loops walk.
 struct Tree {
   LocalFrame frame;
   std::vector<Node> nodes;                ///< nodes[0] is the root; never empty

@@ -6,7 +6,7 @@
 namespace graze::bvh {
 namespace {
 
-/// Whether the local box holds the box, in exact arithmetic. A rounded difference is within half a
+/// True if the local box holds the box, in exact arithmetic. A rounded difference is within half a
 /// step of the exact one, and a float that is smaller than it is smaller by at least one step of
 /// doubles: strictly beyond the rounded difference is beyond the exact one.
 bool holds(const FloatBox& local, const LocalFrame& frame, const Aabb& box) {

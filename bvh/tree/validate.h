@@ -8,9 +8,9 @@
 
 namespace graze::bvh {
 
-/// The first invariant that the tree over these boxes breaks, in words; nothing if it keeps all:
-/// every node is reached once and behind its parent, every primitive is in exactly one leaf, and
-/// every node's box holds its children and, in exact arithmetic, the boxes of its primitives.
+/// Returns in words the first invariant that the tree over these boxes breaks, nothing if it keeps
+/// all: every node is reached once and behind its parent, every primitive is in exactly one leaf,
+/// and every node's box holds its children and, in exact arithmetic, the boxes of its primitives.
 std::optional<std::string> find_broken_invariant(const Tree& tree, std::span<const Aabb> boxes);
 
 }  // namespace graze::bvh

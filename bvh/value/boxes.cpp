@@ -11,7 +11,7 @@
 namespace graze::bvh {
 namespace {
 
-/// Boxes that one task looks at.
+/// The number of boxes that one task looks at.
 constexpr std::size_t kGrain = 8192;
 
 /// The box around those that were looked at, and whether each had its minimum below its maximum,
@@ -38,13 +38,15 @@ struct Seen {
     max = larger(max, other.max);
   }
 
-  // Adding zero makes one of both zeros, which of them was met first being for chance to choose.
+  /// Returns the box around all. Adding zero makes both zeros one: which of them was met first is a
+  /// matter of chance.
   Aabb box() const {
     return {{min.xy[0] + 0.0, min.xy[1] + 0.0, min.yz[1] + 0.0},
             {max.xy[0] + 0.0, max.xy[1] + 0.0, max.yz[1] + 0.0}};
   }
 
-  // A box that is infinite but ordered makes all of them infinite.
+  /// True if each box was valid. A box that is infinite but ordered makes the box around all
+  /// infinite.
   bool is_valid() const {
     const Aabb all = box();
     bool is_finite = true;

@@ -5,8 +5,8 @@
 
 namespace graze::bvh {
 
-/// The smallest box around all boxes, exactly. Throws InputError, naming the box, unless there is
-/// at least one and each is valid. Parallel.
+/// Returns the smallest box around all boxes, exactly. It is parallel. Throws InputError, naming
+/// the box, unless there is at least one and each is valid.
 Aabb checked_bounds(std::span<const Aabb> boxes);
 
 }  // namespace graze::bvh

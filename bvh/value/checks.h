@@ -1,8 +1,8 @@
 #pragma once
 
-// What check_box() and the like do, for functions that run in in_standard_arithmetic() already: to
-// read the control word again for each of their arguments would take longer than to compare a few
-// numbers.
+// These do what check_box() and the like do, for functions that run in in_standard_arithmetic()
+// already: to read the control word again for each of their arguments would take longer than to
+// compare a few numbers.
 
 #include <graze/bvh/aabb.h>
 #include <graze/bvh/kdop.h>

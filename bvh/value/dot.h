@@ -2,7 +2,8 @@
 
 namespace graze::bvh {
 
-/// Of two rows of three numbers, rounded term by term from the first to the last.
+/// Returns the dot product of two rows of three numbers, rounded term by term from the first to the
+/// last.
 inline double dot(const double* a, const double* b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }

@@ -8,7 +8,8 @@
 namespace graze::bvh {
 
 /// Calls `check`; what it throws is told to be about element `index` of those that are called
-/// `element`, in ErrorPlace: its words, and its type, stay. Costs nothing where nothing is thrown.
+/// `element`, in ErrorPlace: its words, and its type, stay. It costs nothing where nothing is
+/// thrown.
 template <typename Check>
 void at_element(const char* element, std::size_t index, Check&& check) {
   const auto place = [&] { return ErrorPlace{.element = element, .index = index}; };
@@ -24,7 +25,7 @@ void at_element(const char* element, std::size_t index, Check&& check) {
 }
 
 /// Calls `check(what)` for element `index` of those that are called `element`; what it throws names
-/// it, `what` being "pose 12 of mesh B", say. Writes that only where something is thrown.
+/// it, `what` being "pose 12 of mesh B", say. That text is only written where something is thrown.
 template <typename Check>
 void check_element(const char* element, std::size_t index, const char* of, Check&& check) {
   try {

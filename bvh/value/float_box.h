@@ -15,13 +15,13 @@ struct FloatBox {
 // These are static so that each source compiles its own: an inline function is shared by the
 // linker, and the copy that it keeps could be one compiled with a user's -ffast-math.
 
-/// The box that every merge leaves unchanged: it holds nothing.
+/// Returns the box that every merge leaves unchanged: it holds nothing.
 static inline FloatBox empty_box() {
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
   return {{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
 }
 
-/// The smallest box that holds both, exactly.
+/// Returns the smallest box that holds both, exactly.
 static inline FloatBox merged(const FloatBox& a, const FloatBox& b) {
   FloatBox box;
   for (int k = 0; k < 3; ++k) {
@@ -40,7 +40,8 @@ static inline bool overlap(const FloatBox& a, const FloatBox& b) {
   return is_overlapping;
 }
 
-/// Half the surface of the box, in square local units: the measure of the surface area heuristic.
+/// Returns half the surface of the box, in square local units: the measure of the surface area
+/// heuristic.
 static inline float half_surface(const FloatBox& box) {
   const float x = box.max[0] - box.min[0];
   const float y = box.max[1] - box.min[1];

@@ -16,7 +16,7 @@ static inline Lanes all_lanes(float value) {
   return Lanes{value, value, value, value};
 }
 
-/// Lane by lane the larger one, and `b` where `a` is NaN.
+/// Returns lane by lane the larger one, and `b` where `a` is NaN.
 static inline Lanes larger(Lanes a, Lanes b) {
   return a > b ? a : b;
 }
@@ -25,7 +25,7 @@ static inline Lanes smaller(Lanes a, Lanes b) {
   return a < b ? a : b;
 }
 
-/// `a` in the lanes whose mask is -1, `b` where it is 0.
+/// Returns `a` in the lanes whose mask is -1, `b` where it is 0.
 static inline IntLanes chosen(IntLanes mask, IntLanes a, IntLanes b) {
   return (mask & a) | (~mask & b);
 }
@@ -54,7 +54,7 @@ static inline Lanes size_of(const Bounds& box) {
   return box.max + box.minus_min;
 }
 
-/// Twice the centre: order is all that matters. The fourth lane is zero.
+/// Returns twice the centre: order is all that matters. The fourth lane is zero.
 static inline Lanes centroid_of(const Bounds& box) {
   constexpr IntLanes kThree = {-1, -1, -1, 0};
   return std::bit_cast<Lanes>(std::bit_cast<IntLanes>(box.max - box.minus_min) & kThree);

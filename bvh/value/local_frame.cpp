@@ -9,7 +9,7 @@
 namespace graze::bvh {
 namespace {
 
-/// The next float away from zero on the side of its sign, which zero is given beforehand.
+/// Returns the next float away from zero on the side of its sign, which zero is given beforehand.
 float away_from_zero(float value) {
   return std::bit_cast<float>(std::bit_cast<std::uint32_t>(value) + 1);
 }

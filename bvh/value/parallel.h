@@ -15,14 +15,15 @@ namespace graze::bvh {
 // mesh, would be what memory held before. So each loop is a group of its own: what is left out of
 // it is told by an exception of its own.
 
-/// tbb::parallel_for() that nobody cancels from outside. Not by that name: oneTBB would find it.
+/// Calls tbb::parallel_for() such that nobody cancels it from outside. It has a name of its own: by
+/// the same one oneTBB would find it.
 template <typename... Arguments>
 void for_in_parallel(Arguments&&... arguments) {
   tbb::task_group_context alone(tbb::task_group_context::isolated);
   tbb::parallel_for(std::forward<Arguments>(arguments)..., alone);
 }
 
-/// tbb::parallel_reduce() likewise.
+/// Calls tbb::parallel_reduce() in the same way.
 template <typename... Arguments>
 auto reduce_in_parallel(Arguments&&... arguments) {
   tbb::task_group_context alone(tbb::task_group_context::isolated);

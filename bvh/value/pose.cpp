@@ -12,7 +12,8 @@
 
 namespace graze {
 
-// Both zeros are equal. By bits alone: it does not depend on how the program computes.
+// Both zeros are equal. Only bits are looked at: the hash does not depend on how the program
+// computes.
 std::size_t PoseHash::operator()(const Pose& pose) const noexcept {
   std::size_t hash = 0;
   for (int i = 0; i < 16; ++i) {
@@ -29,7 +30,7 @@ double rotation_deviation(const Pose& pose) {
 
 namespace {
 
-/// What is wrong with a pose that is not rigid.
+/// Throws an error that says what is wrong with a pose that is not rigid.
 [[noreturn]] void throw_not_rigid(const Pose& pose, double deviation, const char* what) {
   const double* m = pose.data();
   for (int i = 0; i < 16; ++i) {
@@ -57,7 +58,7 @@ namespace bvh {
 double check_rigid(const Pose& pose, const char* what) {
   const bvh::RotationError error(pose);
   const double* m = pose.data();
-  // 0 if and only if all are finite.
+  // The sum is 0 if and only if all are finite.
   const double infinite = (m[12] - m[12]) + (m[13] - m[13]) + (m[14] - m[14]);
   if (!(bvh::is_rigid(pose, error) && infinite == 0)) throw_not_rigid(pose, error.largest(), what);
   return error.largest();

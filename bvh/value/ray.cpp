@@ -15,7 +15,7 @@ constexpr std::uint64_t kInfiniteBits = std::uint64_t{0x7ff} << 52;
 constexpr std::uint64_t kMinusZeroBits = std::uint64_t{1} << 63;
 constexpr std::uint64_t kExponentStep = std::uint64_t{1} << 52;
 
-/// Of |x|; in the order of sizes, not a number above infinity.
+/// Returns the bits of |x|, which are in the order of sizes, with NaN above infinity.
 std::uint64_t bits_of_size(double x) {
   return std::bit_cast<std::uint64_t>(x) & ~kMinusZeroBits;
 }
@@ -40,8 +40,9 @@ std::uint64_t bits_of_size(double x) {
 }  // namespace
 
 void check_ray(const Ray& ray, const char* what) {
-  // By the bits, as whole numbers: every ray comes by here, and no control word matters to these.
-  // What is not finite has an exponent of ones alone: one step more comes to the sign's bit.
+  // Numbers are compared by their bits, as whole numbers: every ray comes by here, and no control
+  // word matters to these. What is not finite has an exponent of ones alone: one step more comes to
+  // the sign's bit.
   std::uint64_t one_step_more = 0, direction = 0;
   for (int k = 0; k < 3; ++k) {
     const std::uint64_t o = bits_of_size(ray.origin.data()[k]);

@@ -1,7 +1,7 @@
 #pragma once
 
-// A ray beside boxes, for the loops that walk trees. Private. Functions are static so that each
-// source compiles its own, with the flags of the floor.
+// This compares a ray with boxes, for the loops that walk trees. It is private. Functions are
+// static so that each source compiles its own, with the flags of the floor.
 
 #include <graze/bvh/ray.h>
 #include <graze/bvh/value/power_of_two.h>
@@ -18,7 +18,7 @@ struct ScaledDirection {
   int exponent;  ///< direction = component * 2^exponent
 };
 
-/// Of its components: between 1 and 3.5, off by at most 2 u of itself.
+/// Returns the length of its components: between 1 and 3.5, off by at most 2 u of itself.
 static inline double length_of(const ScaledDirection& scaled) {
   const double* c = scaled.component;
   return std::sqrt((c[0] * c[0] + c[1] * c[1]) + c[2] * c[2]);
@@ -41,8 +41,8 @@ static inline ScaledDirection scaled_direction(const double* direction) {
   return scaled;
 }
 
-/// The points origin + s direction, s >= 0, the direction's largest component being between 1/2
-/// and 4, and which boxes they may meet. A component below 2^-60 is taken for 0: whoever asks
+/// The points origin + s direction, s >= 0, as they are compared with boxes. The direction's
+/// largest component is between 1/2 and 4. A component below 2^-60 is taken for 0: whoever asks
 /// grows the boxes by 2^-58 of how far they reach from the origin, at least, which covers that.
 inline constexpr double kParallel = 0x1p-60;
 struct RaySlabs {
@@ -60,7 +60,7 @@ struct RaySlabs {
   bool is_parallel[3];
 };
 
-/// What entry() answers for a box that the ray does not meet.
+/// The answer of entry() for a box that the ray does not meet.
 inline constexpr double kNever = -1;
 
 // The s at which the ray crosses a face is rounded three times (a difference, the inverse, their
@@ -68,7 +68,8 @@ inline constexpr double kNever = -1;
 // underflow. What overflows becomes infinite on its own side. No operation makes a NaN: origin and
 // inverse are finite, the inverse is not 0.
 
-/// Not above any s between both, which are rounded so; kNever only if there is none.
+/// Returns a value that is not above any s between both, which are rounded so; kNever only if there
+/// is none.
 static inline double surely_entered(double enter, double exit) {
   constexpr double kRounding = 0x8p-53;
   constexpr double kUnderflow = 0x1p-1060;
@@ -77,8 +78,8 @@ static inline double surely_entered(double enter, double exit) {
   return std::max(surely_before, 0.0);
 }
 
-/// Not above any s in [0, limit] at which the ray is in the closed box; kNever only if there is
-/// none. The box may be infinite.
+/// Returns a value that is not above any s in [0, limit] at which the ray is in the closed box;
+/// kNever only if there is none. The box may be infinite.
 static inline double entry(const RaySlabs& ray, const double* low, const double* high,
                            double limit) {
   double enter = 0;

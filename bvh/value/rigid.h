@@ -1,6 +1,6 @@
 #pragma once
 
-// Private to graze. What the door asks of a pose, inline: each query pays for it.
+// This is private to graze: what the door asks of a pose, inline, because each query pays for it.
 
 #include <graze/bvh/pose.h>
 
@@ -11,14 +11,15 @@
 
 namespace graze::bvh {
 
-/// R^T R - I of a pose, entry by entry, each once.
+/// The entries of R^T R - I of a pose, each once.
 class RotationError {
  public:
   explicit RotationError(const Pose& pose) {
     const double* m = pose.data();  // column-major 4x4
     const Two x_y[3] = {Two::Map(m), Two::Map(m + 4), Two::Map(m + 8)};
     const double z[3] = {m[2], m[6], m[10]};
-    // Of columns i and j, and of k and l. A dot product adds from left to right.
+    // Returns the dot products of columns i and j, and of k and l. A dot product adds from left to
+    // right.
     const auto dots = [&](int i, int j, int k, int l) {
       const Two one = x_y[i] * x_y[j];
       const Two other = x_y[k] * x_y[l];
@@ -35,7 +36,8 @@ class RotationError {
     return std::max(most.x(), most.y());
   }
 
-  /// Never true of what is no number, which a maximum may lose and a sum does not.
+  /// True if no entry is above `most`. It is never true of what is no number, which a maximum may
+  /// lose and a sum does not.
   bool is_within(double most) const {
     const Two sums = entries_[0] + entries_[1] + entries_[2];
     const double sum = sums.x() + sums.y();
@@ -43,12 +45,12 @@ class RotationError {
   }
 
  private:
-  using Two = Eigen::Array2d;  // which most processors have registers for
+  using Two = Eigen::Array2d;  ///< most processors have registers for two doubles
   std::array<Two, 3> entries_;
 };
 
-/// Whether a pose turns and does not mirror, if its columns are nearly unit vectors at right
-/// angles: then the determinant is close to +1 or -1, and its sign needs no care.
+/// True if a pose turns and does not mirror, provided that its columns are nearly unit vectors at
+/// right angles: then the determinant is close to +1 or -1, and its sign needs no care.
 inline bool is_right_handed(const Pose& pose) {
   const double* m = pose.data();
   return m[0] * (m[5] * m[10] - m[6] * m[9]) + m[4] * (m[9] * m[2] - m[1] * m[10]) +
@@ -56,14 +58,14 @@ inline bool is_right_handed(const Pose& pose) {
          0;
 }
 
-/// Whether the last row is (0, 0, 0, 1).
+/// True if the last row is (0, 0, 0, 1).
 inline bool has_last_row(const Pose& pose) {
   const double* m = pose.data();
-  // 0 if and only if each is: neither infinity nor what is no number goes away.
+  // The sum is 0 if and only if each is: neither infinity nor what is no number goes away.
   return std::abs(m[3]) + std::abs(m[7]) + std::abs(m[11]) + std::abs(m[15] - 1) == 0;
 }
 
-/// Whether check_rigid() lets a pose in whose translation is finite and whose rotation is off by
+/// True if check_rigid() lets a pose in whose translation is finite and whose rotation is off by
 /// `error`.
 inline bool is_rigid(const Pose& pose, const RotationError& error) {
   return error.is_within(kMaxRotationDeviation) && is_right_handed(pose) && has_last_row(pose);

@@ -23,7 +23,7 @@ namespace graze::bvh {
 /// `offset` from that of A.
 struct BoxesInFrame {
   const double (&rotation)[3][3];  ///< row-major
-  const double (&size)[3][3];      ///< |rotation|
+  const double (&size)[3][3];      ///< the absolute values of the rotation
   const double (&offset)[3];
   const double (&half_a)[3];
   const double (&half_b)[3];

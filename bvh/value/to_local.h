@@ -7,18 +7,18 @@
 
 namespace graze::bvh {
 
-/// LocalFrame::to_local() for many boxes: the same floats, made in registers.
+/// Does LocalFrame::to_local() for many boxes: it makes the same floats, in registers.
 class ToLocal {
  public:
   explicit ToLocal(const LocalFrame& frame)
       : centre_(load_point(frame.centre)), scale_(std::ldexp(1.0, -frame.exponent)) {}
 
-  /// Of the box with these corners of three coordinates each.
+  /// Returns the local box with these corners of three coordinates each.
   Bounds box(const double* min, const double* max) const {
     return local(load_point(min), load_point(max));
   }
 
-  /// Of the box around three points.
+  /// Returns the local box around three points.
   Bounds box(const double* a, const double* b, const double* c) const {
     const PointPairs p = load_point(a);
     const PointPairs q = load_point(b);
@@ -27,7 +27,7 @@ class ToLocal {
   }
 
  private:
-  // Rounding to nearest is the same for a number and its negative.
+  /// Rounds a local box outward. Rounding to nearest is the same for a number and its negative.
   Bounds local(const PointPairs& min, const PointPairs& max) const {
     return {rounded_up(-nearest(min)), rounded_up(nearest(max))};
   }
@@ -40,7 +40,8 @@ class ToLocal {
                                    __builtin_convertvector(yz, Floats), 0, 1, 3, 3);
   }
 
-  /// bvh::rounded_up() lane by lane, from what is nearest: the next float towards infinity.
+  /// Does bvh::rounded_up() lane by lane: it takes the nearest floats and returns the next ones
+  /// towards infinity.
   static Lanes rounded_up(Lanes nearest) {
     const IntLanes bits = std::bit_cast<IntLanes>(nearest);
     const IntLanes one = {1, 1, 1, 1};

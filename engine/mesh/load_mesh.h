@@ -11,17 +11,17 @@ namespace graze {
 ///
 /// Text is rounded once, to double; binary floats are widened exactly. The corners of STL triangles
 /// that are bit-equal become one vertex; otherwise vertices and faces keep the order of the file.
-/// Polygons become triangles: a convex one a fan from its first corner; a concave one is cut
-/// without leaving its outline, decided exactly in the projection onto the coordinate plane where
-/// its area is largest; one that crosses itself or has no area is a fan, so that every corner stays
-/// covered.
+/// Polygons become triangles. A convex one becomes a fan from its first corner; a concave one is
+/// cut without leaving its outline, decided exactly in the projection onto the coordinate plane
+/// where its area is largest; one that crosses itself or has no area is a fan, so that every corner
+/// stays covered.
 ///
 /// Normals, colours, texture coordinates, materials, groups, points and lines are skipped. Nothing
-/// with a surface is: free-form geometry, triangle strips, polygons with less than 3 corners, bytes
-/// behind the last element and numbers that are not finite are errors.
+/// that has a surface is skipped: free-form geometry, triangle strips, polygons with less than 3
+/// corners, bytes behind the last element and numbers that are not finite are errors.
 ///
-/// Throws MeshError with the file and the line or byte for whatever cannot be read. Time is linear
-/// in the size of the file, but for concave polygons quadratic in their corners. Memory is
+/// Throws MeshError with the file and the line or byte for whatever cannot be read. The time is
+/// linear in the size of the file, but quadratic in the corners of concave polygons. Memory is
 /// proportional to the size of the file, whatever counts it claims.
 Mesh load_mesh(const std::filesystem::path& path);
 

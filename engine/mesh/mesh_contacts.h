@@ -12,27 +12,28 @@ namespace graze {
 struct MeshContact {
   Eigen::Vector3d point;      ///< midway between `point_a` and `point_b`, metres
   Eigen::Vector3d point_a;    ///< the point of A that is deepest in B, along the normal
-  Eigen::Vector3d point_b;    ///< the point of B that is deepest in A
+  Eigen::Vector3d point_b;    ///< the point of B that is deepest in A, against the normal
   Eigen::Vector3d normal;     ///< a unit vector, to 2 ulp, from A to B
   double depth;               ///< metres, >= 0
-  std::uint32_t first_point;  ///< of the corners of the intersection, in MeshContacts::points
+  std::uint32_t first_point;  ///< the first corner of its intersection in MeshContacts::points
   std::uint32_t point_count;  ///< how many corners it has
 
   bool operator==(const MeshContact&) const = default;
 };
 
-/// What find_contacts() finds on two meshes.
+/// The result of find_contacts() for two meshes.
 struct MeshContacts {
-  std::vector<MeshContact> contacts;    ///< the deepest first; ties by their points
-  std::vector<Eigen::Vector3d> points;  ///< of each contact, ascending lexicographically
-  Completeness completeness = Completeness::Complete;  ///< LimitReached: there are more contacts
+  std::vector<MeshContact> contacts;                   ///< the deepest first; ties by their points
+  std::vector<Eigen::Vector3d> points;                 ///< the corners of each contact, ascending
+                                                       ///< lexicographically
+  Completeness completeness = Completeness::Complete;  ///< LimitReached if there are more contacts
 
   std::size_t size() const { return contacts.size(); }
   bool empty() const { return contacts.empty(); }
   auto begin() const { return contacts.begin(); }
   auto end() const { return contacts.end(); }
   const MeshContact& operator[](std::size_t index) const { return contacts[index]; }
-  /// The corners of the intersection that a contact stands for.
+  /// Returns the corners of the intersection that a contact stands for.
   std::span<const Eigen::Vector3d> points_of(const MeshContact& contact) const {
     return {points.data() + contact.first_point, contact.point_count};
   }
@@ -40,29 +41,29 @@ struct MeshContacts {
   bool operator==(const MeshContacts&) const = default;
 };
 
-/// One contact for each connected piece of find_intersection(): a loop, several loops and patches
-/// that meet, or a touching point. Empty exactly when intersects() is false; a mesh inside another
-/// has no contact with it. The sense of the triangles says what is inside: they turn
-/// counter-clockwise as seen from outside.
+/// Returns one contact for each connected piece of find_intersection(): a loop, several loops and
+/// patches that meet, or a touching point. The list is empty exactly when intersects() is false; a
+/// mesh inside another has no contact with it. The sense of the triangles says what is inside: they
+/// turn counter-clockwise as seen from outside.
 ///
 /// find_contacts() of shapes (manifold.h), `{Shape(bolt)}` for a mesh, answers another question:
 /// what a solver of a simulation needs, up to four contacts of each region that is left in one
 /// direction. Here one contact stands for a whole piece of the intersection.
 ///
-/// **Normal.** The direction of the area vector of the piece's loops and patches: that in which the
-/// surfaces are apart soonest if they are nearly flat there. Where it vanishes, as for surfaces
-/// that touch along a line or in a point, the difference of the mean face normals of A and of B, or
-/// the normal of the one face, or of the two edges, that touch; where that vanishes too, the
-/// direction from the middle of A to that of B.
+/// **Normal.** The normal is the direction of the area vector of the piece's loops and patches:
+/// that in which the surfaces are apart soonest if they are nearly flat there. Where it vanishes,
+/// as for surfaces that touch along a line or in a point, it is the difference of the mean face
+/// normals of A and of B, or the normal of the one face, or of the two edges, that touch; where
+/// that vanishes too, it is the direction from the middle of A to that of B.
 ///
-/// **Depth.** Local, and for the surfaces: the parts of A inside B and of B inside A that end at
-/// this piece reach past each other along the normal by a width, from `point_b` to `point_a`. The
-/// depth is that width, or less if all of B is past A sooner: moving B by the depth along the
-/// normal takes the two parts out of each other, but for rounding. It is not the smallest
-/// translation, and other parts may still meet: separating_translation() says for all. Where a
-/// piece encloses nothing (a curve ends where an open mesh does, or leads around a handle), only
-/// the triangles that cross count. 0 for touching along a plane, a line or in a point, but for
-/// rounding.
+/// **Depth.** The depth is local, and is that of the surfaces: the parts of A inside B and of B
+/// inside A that end at this piece reach past each other along the normal by a width, from
+/// `point_b` to `point_a`. The depth is that width, or less if all of B is past A sooner: moving B
+/// by the depth along the normal takes the two parts out of each other, but for rounding. It is not
+/// the smallest translation, and other parts may still meet: separating_translation() says for all.
+/// Where a piece encloses nothing (a curve ends where an open mesh does, or leads around a handle),
+/// only the triangles that cross count. For touching along a plane, a line or in a point the depth
+/// is 0, but for rounding.
 ///
 /// **Errors.** Points are placed vertices or corners of the intersection, off by at most 2 ulp of
 /// the largest placed coordinate, `point` by one more (law 7). The depth, given the normal, is less

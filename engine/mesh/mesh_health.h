@@ -12,7 +12,7 @@
 
 namespace graze {
 
-// Vertices are welded here, as in Mesh::topology(): equal positions are one vertex, which goes by
+// Here vertices are welded, as in Mesh::topology(): equal positions are one vertex, which goes by
 // the lowest index among them. A triangle that repeats a welded vertex is degenerate, and takes no
 // part in what is said of edges and parts.
 
@@ -27,7 +27,7 @@ struct FaultyEdge {
 
 /// A triangle with the same vertices as another one, in any order.
 struct DuplicateTriangle {
-  std::uint32_t triangle;  ///< which
+  std::uint32_t triangle;  ///< the index of the triangle
   std::uint32_t earlier;   ///< the lowest triangle with these vertices
 
   bool operator==(const DuplicateTriangle&) const = default;
@@ -43,52 +43,52 @@ struct InsideOutPart {
   bool operator==(const InsideOutPart&) const = default;
 };
 
-/// What check() finds. Every list is complete, ascending, and empty in a healthy mesh.
+/// The result of check(). Every list is complete, ascending, and empty in a healthy mesh.
 struct MeshHealth {
-  /// The edges of one triangle alone, where the surface ends, by their vertices. Together with
-  /// those of the next list that have an odd number of triangles, they are topology()'s boundary
-  /// edges.
+  /// The edges that have one triangle alone, where the surface ends, by their vertices. Together
+  /// with those of the next list that have an odd number of triangles, they are topology()'s
+  /// boundary edges.
   std::vector<FaultyEdge> open_edges;
-  /// The edges of more than two triangles.
+  /// The edges that have more than two triangles.
   std::vector<FaultyEdge> non_manifold_edges;
   /// The edges at which triangles are wound inconsistently: at least two more go along the edge one
   /// way than the other, so that neighbours face opposite sides.
   std::vector<FaultyEdge> turned_edges;
-  /// The triangles without area, exactly.
+  /// The triangles whose area is exactly zero.
   std::vector<std::uint32_t> degenerate_triangles;
-  std::vector<DuplicateTriangle> duplicate_triangles;  ///< by triangle
-  /// Parts, connected across edges that have two triangles and consistently wound, that should face
-  /// outwards and do not, or the other way round; exactly. One that is closed by itself faces
-  /// outwards if it encloses more than nothing. Others go together where they meet at edges of more
-  /// triangles; if all of those are closed then, a part faces outwards if they enclose, by the
-  /// even-odd rule, what is behind it and not what is before it. That says nothing of a part that
-  /// one of them crosses or touches away from common edges and vertices, of one before and behind
-  /// which is the same, and of what stays open: these are not listed. What crosses or touches a
-  /// part is not counted where it is asked what it lies in. By triangle.
+  std::vector<DuplicateTriangle> duplicate_triangles;  ///< sorted by `triangle`
+  /// The parts that should face outwards and do not, or the other way round; exactly, sorted by
+  /// `triangle`. A part is connected across edges that have two triangles, and consistently wound.
+  /// One that is closed by itself faces outwards if it encloses more than nothing. Others go
+  /// together where they meet at edges of more triangles; if all of those are closed then, a part
+  /// faces outwards if they enclose, by the even-odd rule, what is behind it and not what is before
+  /// it. That says nothing of a part that one of them crosses or touches away from common edges and
+  /// vertices, of one before and behind which is the same, and of what stays open: these are not
+  /// listed. What crosses or touches a part is not counted where it is asked what it lies in.
   std::vector<InsideOutPart> inside_out_parts;
-  /// All pairs of triangles that intersect: those of find_self_pairs(), duplicates among them.
+  /// All pairs of triangles that intersect, as find_self_pairs() finds them, duplicates among them.
   TrianglePairs self_intersections;
 
-  /// Whether there is nothing in any list: the surface is closed, manifold at its edges,
-  /// consistently wound with its front outside, and intersects itself nowhere.
+  /// True if nothing is in any list: the surface is closed, manifold at its edges, consistently
+  /// wound with its front outside, and intersects itself nowhere.
   bool is_healthy() const;
-  /// How many entries there are in all lists.
+  /// Returns how many entries there are in all lists.
   std::size_t fault_count() const;
 
   bool operator==(const MeshHealth&) const = default;
 };
 
-/// What check() can be told.
+/// The settings of check().
 struct CheckSettings {
-  /// Called on the caller's thread about every half per cent of the way, with the number of
+  /// If set, called on the caller's thread about every half per cent of the way, with the number of
   /// triangles that are done and their total. What it throws ends the check.
   std::function<void(std::size_t done, std::size_t total)> on_progress = {};
 };
 
-/// All that is wrong with a mesh, and where, exactly: by combinatorics of welded vertices, exact
-/// predicates, and exact signs of volumes; no epsilon. Most of the time goes into looking for
-/// triangles that intersect: O(n log n) for compact meshes, and as much as there are surfaces of
-/// the mesh around each of its parts.
+/// Finds all that is wrong with a mesh, and where. It is exact, by combinatorics of welded
+/// vertices, exact predicates, and exact signs of volumes; there is no epsilon. Most of the time
+/// goes into looking for triangles that intersect: O(n log n) for compact meshes, and as much as
+/// there are surfaces of the mesh around each of its parts.
 MeshHealth check(const Mesh& mesh, const CheckSettings& settings = {}, Work* work = nullptr);
 
 }  // namespace graze

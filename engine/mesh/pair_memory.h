@@ -10,8 +10,8 @@ namespace graze {
 
 class PairCache;
 
-/// What the last queries of one pair of meshes learned, for the next pose of a motion: how far
-/// apart the meshes certainly were, triangles that touched or were nearest, and where a descent
+/// Holds what the last queries of one pair of meshes learned, for the next pose of a motion: how
+/// far apart the meshes certainly were, triangles that touched or were nearest, and where a descent
 /// over both trees ended, with how far each box was from the other there. It saves time and changes
 /// no answer, however the meshes jump between two queries. It keeps handles of the two meshes;
 /// asked about two others, or the same in the other order, it begins anew. One thread at a time may
@@ -26,9 +26,9 @@ class PairMemory {
   PairMemory& operator=(PairMemory&& other) noexcept;
   ~PairMemory();
 
-  /// Queries that ended without a look at the trees: because the motion since some earlier one is
-  /// less than how far apart the meshes then were, and because triangles that touched, or were
-  /// within the clearance, still do.
+  /// Return how many queries ended without a look at the trees: because the motion since some
+  /// earlier one is less than how far apart the meshes then were, and because triangles that
+  /// touched, or were within the clearance, still do.
   std::uint64_t still_apart() const;
   std::uint64_t still_touching() const;
 
@@ -39,24 +39,24 @@ class PairMemory {
   std::unique_ptr<PairCache> cache_;
 };
 
-/// intersects(), beginning with what the memory holds and leaving in it what was learned,
+/// Answers intersects(), beginning with what the memory holds and leaving in it what was learned,
 /// always by PairVolume::WideObb.
 bool intersects(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b, PairMemory& memory,
                 const MemoryQuerySettings& settings = {}, Work* work = nullptr);
 
-/// find_triangle_pairs(), likewise. With more threads than one, and where there are more pairs than
-/// a limit, it saves only where nothing touches.
+/// Answers find_triangle_pairs() in the same way. With more threads than one, and where there are
+/// more pairs than a limit, the memory saves time only where nothing touches.
 TrianglePairs find_triangle_pairs(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b,
                                   PairMemory& memory, const MemoryPairSettings& settings = {},
                                   Work* work = nullptr);
 
-/// distance(), likewise, to the last bit. The settings' hint is looked at where the memory has none
-/// of its own.
+/// Answers distance() in the same way, to the last bit. The settings' hint is looked at where the
+/// memory has none of its own.
 MeshDistance distance(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b,
                       PairMemory& memory, const DistanceSettings& settings = {},
                       Work* work = nullptr);
 
-/// within(), likewise.
+/// Answers within() in the same way.
 bool within(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b, double clearance,
             PairMemory& memory, const DistanceSettings& settings = {}, Work* work = nullptr);
 

@@ -8,18 +8,18 @@ namespace graze {
 /// A mesh in a pose: a value, which holds a handle to the mesh.
 struct PlacedMesh {
   Mesh mesh;                     ///< a handle
-  Pose pose = Pose::Identity();  ///< of the mesh: it takes points of its frame to the common one
+  Pose pose = Pose::Identity();  ///< takes points of the mesh's frame to the common one
 
   bool operator==(const PlacedMesh& other) const {
     return mesh == other.mesh && are_equal(pose, other.pose);
   }
 };
 
-/// What queries take: a mesh in a pose, made of a PlacedMesh or within the call itself, as in
+/// A mesh in a pose as queries take it: made of a PlacedMesh or within the call itself, as in
 /// `intersects({bolt}, {nut, pose})`. It refers to the mesh, which must outlive it, as everything
-/// does that stands within a call; to keep one, keep a PlacedMesh. A query would otherwise count
-/// handles up and down, which takes half as long as to find two meshes far apart, and threads that
-/// ask about one mesh would wait for each other.
+/// does that stands within a call; to keep one, keep a PlacedMesh. If it held a handle, a query
+/// would count handles up and down, which takes half as long as to find two meshes far apart, and
+/// threads that ask about one mesh would wait for each other.
 struct PlacedMeshView {
   // NOLINTBEGIN(google-explicit-constructor): queries are asked about meshes and placed meshes
   /// A mesh where it is, in a pose, or as a value that is kept.

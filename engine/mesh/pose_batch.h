@@ -18,10 +18,10 @@ struct MeshInPoses {
   std::span<const Pose> poses;  ///< must outlive this
 };
 
-/// What the queries of pair.h and distance.h answer for each pose of B, in the order of the poses.
-/// `settings` are those of each single query. They throw as these do, before the first answer where
-/// a pose is to blame, which the error names by its index. What has to be built is built once;
-/// other threads wait for it.
+/// These answer the queries of pair.h and distance.h for each pose of B, in the order of the poses.
+/// `settings` are those of each single query. They throw as the single queries do, before the first
+/// answer where a pose is to blame, which the error names by its index. What has to be built is
+/// built once; other threads wait for it.
 std::vector<bool> intersects(const PlacedMeshView& mesh_a, const MeshInPoses& mesh_b,
                              const QuerySettings& settings = {}, const BatchSettings& batch = {},
                              Work* work = nullptr);

@@ -12,68 +12,69 @@
 
 namespace graze {
 
-/// What first_contact() of two rigid motions can be told.
+/// The settings of first_contact() for two rigid motions.
 struct RigidContactSettings {
   double clearance = 0;  ///< metres: what is not further apart counts as a hit
-  /// Metres beyond the clearance: what comes so near is not called free. At least 2^-37 of all
-  /// lengths that bodies and motions are made of, and 2^-44 of how far they move, take its place
-  /// where it is less: nothing finer could be proved in doubles.
+  /// The tolerance, metres beyond the clearance: what comes so near is not called free. At least
+  /// 2^-37 of all lengths that bodies and motions are made of, and 2^-44 of how far they move, take
+  /// its place where it is less: nothing finer could be proved in doubles.
   double tolerance = 1e-6;
-  /// How many pairs of boxes and of triangles are tested at most. Never a time: what comes out is
-  /// the same on every machine.
+  /// The number of pairs of boxes and of triangles that are tested at most. It is no time: so what
+  /// comes out is the same on every machine.
   std::uint64_t budget = std::uint64_t{1} << 24;
 };
 
-/// What is known of two rigid motions.
+/// The answers about two rigid motions.
 enum class RigidStatus {
   Free,  ///< further apart than the clearance at all times from 0 to 1: proved
   Hit,   ///< a contact is proved
   Close  ///< nearer than the tolerance beyond the clearance, and no contact is proved
 };
 
-/// When two rigid motions meet first.
+/// Says when two rigid motions meet first.
 struct RigidContact {
-  RigidStatus status;  ///< free, met, or neither proved
-  /// Further apart than the clearance at all times below it: never later than the first contact. 1
-  /// for what is free; else the first time of a grid at which distance() is not above clearance and
-  /// tolerance, or at which the budget ended.
+  RigidStatus status;  ///< whether they are free, meet, or neither is proved
+  /// The meshes are further apart than the clearance at all times below it: it is never later than
+  /// the first contact. It is 1 for what is free; else it is the first time of a grid at which
+  /// distance() is not above clearance and tolerance, or at which the budget ended.
   double low;
   /// A witness: at this time intersects() says yes of both poses, or within() where there is a
-  /// clearance. 1 where there is none.
+  /// clearance. It is 1 where there is none.
   double high;
-  bool is_out_of_budget;  ///< low is where the search ended, whatever lies there
+  bool is_out_of_budget;  ///< true if the budget ended the search at `low`, whatever lies there
 
   bool operator==(const RigidContact&) const = default;
 };
 
-/// When the surfaces of two meshes in rigid motion meet first (law 14), conservatively: what is
-/// called free is free for every real t, in real arithmetic on the motions' numbers and for the
-/// poses RigidMotion::at() rounded and vertices placed by law 1. `low` is the least k / 2^m at
+/// Returns when the surfaces of two meshes in rigid motion meet first (law 14), conservatively:
+/// what is called free is free for every real t, in real arithmetic on the motions' numbers and for
+/// the poses RigidMotion::at() rounded and vertices placed by law 1. `low` is the least k / 2^m at
 /// which the distance is not above clearance and tolerance, m being such that nothing moves by more
 /// than a quarter of the tolerance in a step; so it depends on no tree and no order, and swapping A
 /// and B changes nothing, unless a budget ends. From there on contacts are looked for at 1, 2, 4,
 /// ... steps, and the first that is found is narrowed to one step; a shorter touch than it took to
 /// come there may be missed, which is Close. Throws InputError for a clearance or tolerance that is
-/// not a distance, and PoseError for motions that take a mesh too far away. Of lengths below 2^-430
-/// m squares underflow: what is so near is Close, or the budget ends.
+/// not a distance, and PoseError for motions that take a mesh too far away. The squares of lengths
+/// below 2^-430 m underflow: what is so near is Close, or the budget ends.
 RigidContact first_contact(const Mesh& mesh_a, const RigidMotion& motion_a, const Mesh& mesh_b,
                            const RigidMotion& motion_b, const RigidContactSettings& settings = {},
                            Work* work = nullptr);
 
-/// Whether first_contact() says Free. Stops at the first pair of triangles that comes too near.
+/// True if first_contact() says Free. It stops at the first pair of triangles that comes too near.
 bool is_free(const Mesh& mesh_a, const RigidMotion& motion_a, const Mesh& mesh_b,
              const RigidMotion& motion_b, const RigidContactSettings& settings = {},
              Work* work = nullptr);
 
-/// The last time of the same grid up to which all is free, with the tolerance, 1 if that is so to
-/// the end; nothing if the meshes are too near at the start.
+/// Returns the last time of the same grid up to which all is free, with the tolerance: 1 if that is
+/// so to the end, nothing if the meshes are too near at the start.
 std::optional<double> last_free(const Mesh& mesh_a, const RigidMotion& motion_a, const Mesh& mesh_b,
                                 const RigidMotion& motion_b,
                                 const RigidContactSettings& settings = {}, Work* work = nullptr);
 
-/// What first_contact() and is_free() answer for each of many motions of B, edges of a roadmap say,
-/// in their order, on all threads. What has to be built is built once. They throw as these do,
-/// before the first answer where a motion is to blame, which the error names by its index.
+/// These answer first_contact() and is_free() for each of many motions of B, edges of a roadmap
+/// say, in their order, on all threads. What has to be built is built once. They throw as the
+/// single queries do, before the first answer where a motion is to blame, which the error names by
+/// its index.
 std::vector<RigidContact> first_contact(const Mesh& mesh_a, const RigidMotion& motion_a,
                                         const Mesh& mesh_b, std::span<const RigidMotion> motions_b,
                                         const RigidContactSettings& settings = {},
@@ -83,18 +84,18 @@ std::vector<bool> is_free(const Mesh& mesh_a, const RigidMotion& motion_a, const
                           const RigidContactSettings& settings = {},
                           const BatchSettings& batch = {}, Work* work = nullptr);
 
-/// Two meshes in rigid motion: one of many pairs.
+/// Two meshes in rigid motion, as one of many pairs.
 struct RigidPair {
   Mesh mesh_a;           ///< a handle
-  RigidMotion motion_a;  ///< of A
+  RigidMotion motion_a;  ///< the motion of A
   Mesh mesh_b;           ///< a handle, perhaps to the same mesh
-  RigidMotion motion_b;  ///< of B
+  RigidMotion motion_b;  ///< the motion of B
 };
 
-/// What first_contact() and is_free() answer for each of many pairs, in their order, on all
+/// These answer first_contact() and is_free() for each of many pairs, in their order, on all
 /// threads: the motions of many bodies beside one, or of each beside each. Trees of meshes that
-/// stand in several pairs are built once. They throw as these do, before the first answer where a
-/// motion is to blame, which the error names by the index of its pair.
+/// stand in several pairs are built once. They throw as the single queries do, before the first
+/// answer where a motion is to blame, which the error names by the index of its pair.
 std::vector<RigidContact> first_contact(std::span<const RigidPair> pairs,
                                         const RigidContactSettings& settings = {},
                                         const BatchSettings& batch = {}, Work* work = nullptr);

@@ -1,6 +1,7 @@
 #pragma once
 
-// What queries on meshes find: pairs of triangles, triangles, and whether that is all there is.
+// The results of queries on meshes: pairs of triangles, triangles, and whether that is all there
+// is.
 
 #include <graze/bvh/hash.h>
 
@@ -12,20 +13,20 @@
 
 namespace graze {
 
-/// Triangle `a` of the first mesh and triangle `b` of the second.
+/// A pair of triangles: `a` of the first mesh and `b` of the second.
 struct TrianglePair {
   std::uint32_t a;  ///< index into the triangles of the first mesh
-  std::uint32_t b;  ///< and of the second
+  std::uint32_t b;  ///< index into the triangles of the second mesh
   auto operator<=>(const TrianglePair&) const = default;
 };
 
-/// Whether a list holds all there is.
+/// Says whether a list holds all there is.
 enum class Completeness { Complete, LimitReached };
 
 /// Pairs in ascending order, without duplicates.
 struct TrianglePairs {
   std::vector<TrianglePair> pairs;                     ///< ascending
-  Completeness completeness = Completeness::Complete;  ///< LimitReached: there may be more
+  Completeness completeness = Completeness::Complete;  ///< LimitReached if there may be more
 
   std::size_t size() const { return pairs.size(); }
   bool empty() const { return pairs.empty(); }
@@ -39,7 +40,7 @@ struct TrianglePairs {
 /// Indices of triangles in ascending order.
 struct TriangleList {
   std::vector<std::uint32_t> triangles;                ///< ascending
-  Completeness completeness = Completeness::Complete;  ///< LimitReached: there may be more
+  Completeness completeness = Completeness::Complete;  ///< LimitReached if there may be more
 
   std::size_t size() const { return triangles.size(); }
   bool empty() const { return triangles.empty(); }

@@ -10,8 +10,8 @@
 
 namespace graze {
 
-/// The indices of a voxel along x, y and z. Ordered by k, then j, then i: a row along x is
-/// contiguous.
+/// The indices of a voxel along x, y and z. Voxels are ordered by k, then j, then i: a row along x
+/// is contiguous.
 struct Voxel {
   std::uint16_t i;  ///< along x
   std::uint16_t j;  ///< along y
@@ -28,15 +28,15 @@ struct Voxel {
   }
 };
 
-/// Cubes side by side. What decides are the planes between them: voxel (i, j, k) is the closed box
-/// between planes i and i + 1 along x, and so on, so that neighbours share a face bit for bit.
+/// Cubes side by side. The planes between them decide: voxel (i, j, k) is the closed box between
+/// planes i and i + 1 along x, and so on, so that neighbours share a face bit for bit.
 struct VoxelGrid {
   Eigen::Vector3d origin;               ///< metres, the corner with the smallest coordinates
   double edge;                          ///< metres, the length of a voxel's edges, above 0
-  std::array<std::uint32_t, 3> counts;  ///< voxels along x, y and z, at least 1, at most 65535
+  std::array<std::uint32_t, 3> counts;  ///< the numbers of voxels along x, y and z, from 1 to 65535
 
-  /// The grid over a box: from its minimum up to the first plane at or beyond its maximum, along
-  /// each axis. The longest side has `resolution` voxels. The edge is that side / resolution,
+  /// Returns the grid over a box: from its minimum up to the first plane at or beyond its maximum,
+  /// along each axis. The longest side has `resolution` voxels. The edge is that side / resolution,
   /// rounded up to 36 significant bits, so that index * edge is exact and planes carry one rounding
   /// alone; and at least 2^-50 of the largest coordinate, so that planes are distinct. Where that
   /// is more than the side would ask for, as in a box that is a point, there are fewer voxels.
@@ -44,17 +44,18 @@ struct VoxelGrid {
   /// that would overflow.
   static VoxelGrid over(const Aabb& bounds, std::uint32_t resolution);
 
-  /// origin + index * edge, rounded once. `index` is at most the count along the axis.
+  /// Returns origin + index * edge, rounded once, metres. `index` is at most the count along the
+  /// axis.
   double plane(int axis, std::uint32_t index) const;
 
-  /// The closed box between its six planes.
+  /// Returns the closed box between the voxel's six planes.
   Aabb box(const Voxel& voxel) const;
 
   /// Throws InputError unless there are 1 to 65535 voxels along each axis and planes are finite and
   /// rise. Grids made by over() pass.
   void check() const;
 
-  /// All voxels, of which a mesh touches some.
+  /// Returns the number of all voxels, of which a mesh touches some.
   std::uint64_t size() const;
 
   bool operator==(const VoxelGrid&) const = default;

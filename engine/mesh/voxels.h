@@ -12,18 +12,19 @@
 
 namespace graze {
 
-/// Which voxels are wanted.
+/// The voxels that may be asked for.
 enum class VoxelFill {
-  Surface,  ///< those that share a point with a triangle
+  Surface,  ///< the voxels that share a point with a triangle
   Solid,    ///< these, and all that lie inside a closed mesh
 };
 
-/// What find_voxels() can be told.
+/// The settings of find_voxels().
 struct VoxelSettings {
-  /// Voxels along the longest side of the mesh's bounds, 1 to 65535; see VoxelGrid::over().
+  /// The number of voxels along the longest side of the mesh's bounds, 1 to 65535; see
+  /// VoxelGrid::over().
   std::uint32_t resolution = 64;
   VoxelFill fill = VoxelFill::Surface;  ///< the surface alone, or what it encloses, too
-  /// How many threads share the work at most; 0: all that there are.
+  /// The number of threads that share the work at most; 0 means all that there are.
   int threads = 1;
   /// More voxels than this are an error, found before they fill the memory. Which resolution is too
   /// high does not depend on threads.
@@ -33,9 +34,9 @@ struct VoxelSettings {
   std::function<void(std::size_t done, std::size_t total)> on_progress = {};
 };
 
-/// Voxels of a grid in ascending order, each once.
+/// The voxels of a grid in ascending order, each once.
 struct Voxels {
-  VoxelGrid grid;             ///< in which they lie
+  VoxelGrid grid;             ///< the grid in which they lie
   std::vector<Voxel> voxels;  ///< ascending
 
   std::size_t size() const { return voxels.size(); }
@@ -46,14 +47,15 @@ struct Voxels {
   bool operator==(const Voxels&) const = default;
 };
 
-/// All voxels of the common frame that the placed mesh's surface touches (law 1), exactly (law 3:
-/// closed boxes, closed triangles), or the solid. In a solid, a voxel that touches no triangle is
-/// inside if its points are enclosed as contains() says. The result is the same for any number of
-/// threads. Time follows the surface, not the volume: blocks of voxels that no triangle touches are
-/// decided as a whole. Throws InputError as VoxelGrid::over() does for bad settings and for more
-/// than max_voxels, MeshError for the solid of a mesh that is not closed, and PoseError for a pose
-/// that is refused by law 10 or by law 1. A mesh in any other pose than the identity is placed as a
-/// whole, and its tree fitted to where it is, which takes O(n) time and memory.
+/// Returns all voxels of the common frame that the placed mesh's surface touches (law 1), exactly
+/// (law 3: closed boxes, closed triangles), or those of the solid. In a solid, a voxel that touches
+/// no triangle is inside if its points are enclosed as contains() says. The result is the same for
+/// any number of threads. The time follows the surface, not the volume: blocks of voxels that no
+/// triangle touches are decided as a whole. Throws InputError as VoxelGrid::over() does for bad
+/// settings and for more than max_voxels, MeshError for the solid of a mesh that is not closed, and
+/// PoseError for a pose that is refused by law 10 or by law 1. A mesh in any other pose than the
+/// identity is placed as a whole, and its tree fitted to where it is, which takes O(n) time and
+/// memory.
 Voxels find_voxels(const PlacedMeshView& mesh, const VoxelSettings& settings = {},
                    Work* work = nullptr);
 

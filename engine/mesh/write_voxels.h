@@ -8,10 +8,10 @@
 
 namespace graze {
 
-/// More voxels than this have too many triangles for a mesh, and are not written.
+/// The largest number of voxels that is written: more have too many triangles for a mesh.
 inline constexpr std::uint64_t kMaxWrittenVoxels = 0x7fffffff / 12;
 
-/// What write_voxels() can be told.
+/// The settings of write_voxels().
 struct VoxelWriteSettings {
   /// If set, called now and then with how many of how many corners and quads are written. What it
   /// throws ends the writing, and what was there before stays.
@@ -29,7 +29,7 @@ struct VoxelWriteSettings {
 /// takes it in one step: whatever fails, an old file stays as it was. What a link leads to is
 /// replaced, and the link stays; pipes and devices are written through. Throws InputError for no
 /// voxels, a grid that check() refuses, and voxels that are not in ascending order, each once, and
-/// within the grid. Memory is a fraction of that of the voxels.
+/// within the grid. It takes a fraction of the memory of the voxels.
 void write_voxels(const std::filesystem::path& path, const Voxels& voxels,
                   const VoxelWriteSettings& settings = {});
 

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kMostElements = 16;
 
-/// Text that grows: nothing of it goes by what the stream has set.
+/// Text that grows. What the stream has set changes nothing in it.
 class Text {
  public:
   template <typename... Parts>
@@ -55,7 +55,7 @@ std::ostream& write_list(std::ostream& out, const List& list, const char* of) {
   return out;
 }
 
-/// As write_list(), of one that a limit may have cut.
+/// Writes a list as write_list() does, and says if a limit may have cut it.
 template <typename List>
 std::ostream& write_limited(std::ostream& out, const List& list, const char* of) {
   write_list(out, list, of);
@@ -67,7 +67,7 @@ struct Counter {
   std::uint64_t count;
 };
 
-/// The counters that are not 0.
+/// Writes the counters that are not 0.
 template <std::size_t N>
 Text text_of(const Counter (&counters)[N]) {
   Text text;
@@ -266,7 +266,7 @@ std::ostream& operator<<(std::ostream& out, const ShapeContact& contact) {
 std::ostream& operator<<(std::ostream& out, const Manifold& manifold) {
   return write_list(out, manifold, "contacts");
 }
-/// Two bodies, and their parts if one has a number other than 0.
+/// Writes two bodies, and their parts if one has a number other than 0.
 template <typename Pair>
 static std::ostream& write_pair(std::ostream& out, const Pair& pair, std::uint32_t part_a,
                                 std::uint32_t part_b) {
@@ -288,7 +288,7 @@ std::ostream& operator<<(std::ostream& out, const BodyFirstContact& found) {
          << Text(found.is_at_start ? ", touching at the start" : "", ", point ", found.point,
                  ", normal ", found.normal);
 }
-/// A body, and its part if that has a number other than 0.
+/// Writes a body, and its part if that has a number other than 0.
 static std::ostream& write_found(std::ostream& out, const BodyId& id, std::uint32_t part) {
   out << id;
   if (part != 0) out << Text(", part ", part);

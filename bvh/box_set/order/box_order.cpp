@@ -8,15 +8,15 @@
 namespace graze::bvh {
 namespace {
 
-// How many newcomers and holes, and how much degradation of blocks (layer.h), a set without
-// searches for all pairs puts up with before it sorts.
+// A set without searches for all pairs puts up with so many newcomers and holes, and so much
+// degradation of blocks (layer.h), before it sorts.
 constexpr std::size_t kFewNewcomers = 256;
 constexpr std::size_t kNewcomerShare = 8;
 constexpr std::size_t kHoleShare = 8;
 constexpr std::size_t kQueryNewcomerShare = 4;
 constexpr double kMuchDegraded = 4;
 
-// What sorting newcomers costs, each, in blocks that a lookup could have met instead.
+// Sorting costs so much for each newcomer, in blocks that a lookup could have met instead.
 constexpr std::size_t kNewcomerSortCost = 8;
 
 constexpr std::uint32_t kRefitChunk = 512;  // blocks, whole blocks of the level above
@@ -35,13 +35,14 @@ constexpr std::size_t kFewStretched = 4;
 constexpr std::size_t kStretchedShare = 32;
 constexpr double kWorthMoving = 0.75;
 
-// Of more boxes between two refits each is not looked after: a sort costs less.
+// If more boxes than this arrive between two refits, no places are looked for one by one: a sort
+// costs less.
 constexpr std::size_t kFewArrivals = 256;
 constexpr std::size_t kArrivalShare = 6;
 
 constexpr double kWidened = 2;  // how much wider a block may become than sorted ones are
 
-/// Lane 0 of the result: what holds a lane and a box.
+/// Returns in lane 0 the bounds of a lane and a box.
 Block spanned(const Block& block, std::uint32_t lane, const OrderedBox& box) {
   Block both;
   for (std::size_t c = 0; c < 3; ++c) {
@@ -51,7 +52,7 @@ Block spanned(const Block& block, std::uint32_t lane, const OrderedBox& box) {
   return both;
 }
 
-/// The lanes of a block that hold a box already.
+/// Returns the lanes of a block that hold a box already, as bits.
 std::uint32_t holding_lanes(const Block& block, const OrderedBox& box) {
   std::int32_t holds[kLanes];
   std::fill_n(holds, kLanes, 1);
@@ -69,11 +70,11 @@ std::uint32_t holding_lanes(const Block& block, const OrderedBox& box) {
 struct Choice {
   std::uint32_t lane = kNullIndex;
   double cost = 0;
-  double perimeter = 0;  // with the box
+  double perimeter = 0;  ///< the perimeter of the lane with the box
 };
 
-/// Of some lanes of a block the one that the box widens least; of those that it does not widen the
-/// narrowest.
+/// Returns that of some lanes of a block which the box widens least; of those that it does not
+/// widen, the narrowest.
 Choice best_lane(const Block& block, const OrderedBox& box, std::uint32_t lanes) {
   Choice best;
   for (; lanes != 0; lanes &= lanes - 1) {
@@ -95,7 +96,7 @@ void BoxOrder::insert(std::uint32_t proxy, const OrderedBox& box) {
   if (!fill_hole(proxy, box)) store_.append(proxy, box);
 }
 
-/// A box that leaves its neighbours for good would make their block span the space between.
+/// True if a box goes so far from its neighbours that their block would span the space between.
 bool BoxOrder::leaves_neighbours(const Layer& layer, std::uint32_t block,
                                  const OrderedBox& box) const {
   const std::uint32_t block_in_layer = block - layer.first_block;
@@ -118,7 +119,8 @@ bool BoxOrder::leaves_neighbours(const Layer& layer, std::uint32_t block,
 void BoxOrder::move(std::uint32_t proxy, const OrderedBox& box) {
   const std::uint32_t place = store_.places[proxy];
   const std::uint32_t block = place >> kLaneBits;
-  // Of many movers only a sample is asked whether they left, unless much of it did.
+  // If there are many movers, only a sample is asked whether they left, unless much of the sample
+  // did.
   const bool is_asked =
       moves_ < kLanes + store_.size / kAskedShare || arrivals_ > moves_ / kLeftShare;
   ++moves_;
@@ -137,7 +139,8 @@ void BoxOrder::move(std::uint32_t proxy, const OrderedBox& box) {
   store_.set(place, box);
 }
 
-/// False if none of the 256 places where the box belongs is empty and near.
+/// Puts the box into an empty place. Returns false if none of the 256 places where it belongs is
+/// empty and near.
 bool BoxOrder::fill_hole(std::uint32_t proxy, const OrderedBox& box) {
   ++arrivals_;
   if (std::max(arrivals_, arrivals_before_) > kFewArrivals + store_.size / kArrivalShare)
@@ -236,7 +239,7 @@ void BoxOrder::refit_dirty() {
 }
 
 /// Finds blocks that single boxes have stretched by leaving their neighbours, and moves those boxes
-/// to the last layer; not if there are many such blocks, which a sort will see to.
+/// to the last layer. It does nothing if there are many such blocks, which a sort will see to.
 void BoxOrder::move_outliers() {
   stretched_.clear();
   for (std::size_t l = 0; l + 1 < store_.layers.size(); ++l) {

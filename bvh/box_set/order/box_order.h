@@ -11,8 +11,8 @@
 
 namespace graze::bvh {
 
-/// In which order the boxes of a store share blocks: which place a box takes that comes or moves,
-/// when and how boxes are sorted anew, and the bounds above them.
+/// Decides in which order the boxes of a store share blocks: which place a box takes that comes or
+/// moves, and when and how boxes are sorted anew. It keeps the bounds above them.
 class BoxOrder {
  public:
   BoxOrder(BoxStore& store, const Workers& workers) : store_(store), workers_(workers) {}
@@ -20,35 +20,35 @@ class BoxOrder {
   void insert(std::uint32_t proxy, const OrderedBox& box);
   void move(std::uint32_t proxy, const OrderedBox& box);
 
-  /// Makes the bounds fit the boxes again. Costs time for blocks that are dirty.
+  /// Makes the bounds fit the boxes again. Only dirty blocks take time.
   void refit();
 
-  /// refit(), and an order for boxes if many came: what queries want.
+  /// Refits, and orders the boxes anew if many came: this prepares for queries.
   void prepare_for_queries();
 
-  /// refit(), and a new order for all boxes if the old one has cost more by now than that does.
-  /// What the search for all pairs that follows would cost counts as well.
+  /// Refits, and orders all boxes anew if the old order has cost more by now than that does. What
+  /// the search for all pairs that follows would cost counts as well.
   void prepare_for_search();
 
-  /// refit(), and a new order for all boxes, or for those that came since the last sort, if so many
-  /// lookups as follow would otherwise cost more than that.
+  /// Refits, and orders all boxes anew, or those that came since the last sort, if so many lookups
+  /// as follow would otherwise cost more than that.
   void prepare_for_lookups(std::size_t lookups);
 
-  /// A search for all pairs met so many pairs of blocks: those beyond what the first search after
-  /// the last sort met are the cost of the order by now.
+  /// Notes that a search for all pairs met so many pairs of blocks: those beyond what the first
+  /// search after the last sort met are the cost of the order by now.
   void note_search(std::uint64_t met);
 
-  /// Boxes that came, or went far, since the last refit.
+  /// Returns how many boxes came, or went far, since the last refit.
   std::size_t arrivals() const { return arrivals_; }
   std::uint64_t sorts() const { return sorts_; }
   std::uint64_t groups_sorted() const { return groups_sorted_; }
   std::size_t bytes() const { return filled_.capacity() * sizeof(FilledGroup); }
 
  private:
-  /// What a sort needs besides the boxes, and gives back: sorts are rare, memory is not.
+  /// The memory that a sort needs besides the boxes, and gives back: sorts are rare, memory is not.
   struct SortSpace {
     std::vector<KdItem> items;
-    std::vector<std::uint32_t> starts;  ///< of the layers' items, and the end
+    std::vector<std::uint32_t> starts;  ///< where each layer's items begin, and the end
     std::vector<std::uint8_t> layer_of_class;
     std::vector<Layer> layers;
     std::vector<Block> high;
@@ -65,10 +65,10 @@ class BoxOrder {
   /// A block that has grown much since it was sorted.
   struct StretchedBlock {
     std::size_t layer;
-    std::uint32_t block;  ///< of the layer
+    std::uint32_t block;  ///< the number of the block in its layer
   };
 
-  /// Of a group of 16 blocks: where each place within it is to go, a block within it.
+  /// For each place in a group of 16 blocks, the block of the group to which its box is to go.
   using GroupBlocks = std::array<std::uint8_t, kLanes * kLanes>;
 
   bool leaves_neighbours(const Layer& layer, std::uint32_t block, const OrderedBox& box) const;
@@ -94,21 +94,23 @@ class BoxOrder {
 
   BoxStore& store_;
   const Workers& workers_;
-  std::vector<std::uint8_t> layer_of_class_;   ///< of sizes, as of the last sort; kNoLayer if new
-  std::vector<FilledGroup> filled_;            ///< since the last refit
+  std::vector<std::uint8_t> layer_of_class_;   ///< layers of size classes, as of the last sort;
+                                               ///< kNoLayer if new
+  std::vector<FilledGroup> filled_;            ///< groups that were filled since the last refit
   std::vector<std::uint32_t> dirty_of_layer_;  ///< working memory: dirty blocks of one layer
   std::vector<StretchedBlock> stretched_;      ///< working memory
   std::vector<double> sums_;                   ///< working memory: degradation by chunks of blocks
   std::size_t sorted_newcomers_ = 0;  ///< how many newcomers were when they were last put in order
-  std::size_t moves_ = 0;             ///< one by one, since the last refit
-  std::size_t arrivals_ = 0;          ///< since the last refit: new, or left their neighbours
-  std::size_t arrivals_before_ = 0;   ///< between that refit and the one before
+  std::size_t moves_ = 0;             ///< boxes moved one by one since the last refit
+  std::size_t arrivals_ = 0;          ///< boxes since the last refit that are new, or left their
+                                      ///< neighbours
+  std::size_t arrivals_before_ = 0;   ///< arrivals between that refit and the one before
 
   std::uint64_t sorts_ = 0;
   std::uint64_t groups_sorted_ = 0;
   std::uint64_t met_sorted_ = 0;  ///< pairs of blocks met in the first search after the last sort
   double order_cost_ =
-      0;  ///< pairs of blocks met since then beyond that number: what the old order has cost
+      0;  ///< what the old order has cost: pairs of blocks met since then beyond that number
   double degradation_ = 0;  ///< summed over blocks (degradation() in layer.h), kept up by refit()
 };
 

@@ -9,10 +9,10 @@
 namespace graze::bvh {
 namespace {
 
-constexpr std::size_t kParallelItems = 8192;  // fewer are not shared among threads
+constexpr std::size_t kParallelItems = 8192;  // fewer items are not shared among threads
 constexpr std::size_t kSample = 64;           // items, among which a median is guessed
 
-/// The place of an item along an axis, different for different proxies.
+/// Returns the place of an item along an axis, which differs for different proxies.
 std::uint64_t rank_key(const KdItem& item, int axis) {
   const auto bits = std::bit_cast<std::uint32_t>(item.centre[axis]);
   const std::uint32_t ordered =
@@ -20,7 +20,7 @@ std::uint64_t rank_key(const KdItem& item, int axis) {
   return static_cast<std::uint64_t>(ordered) << 32 | item.proxy;
 }
 
-/// The axis along which the centres reach furthest, as far as some of them tell.
+/// Returns the axis along which the centres reach furthest, as far as some of them tell.
 int longest_axis(std::span<const KdItem> items) {
   float low[3], high[3];
   for (int c = 0; c < 3; ++c)
@@ -52,8 +52,8 @@ std::size_t partition_below(std::span<KdItem> items, int axis, std::uint64_t piv
   return below;
 }
 
-/// Sorts at most kSample items: each goes where the number of smaller ones says. Quadratic, without
-/// a branch.
+/// Sorts at most kSample items: each goes where the number of smaller ones says. The time is
+/// quadratic, without a branch.
 void sort_few(std::span<KdItem> items, int axis) {
   float key[kSample];
   std::int32_t rank[kSample] = {};
@@ -105,7 +105,7 @@ void select(std::span<KdItem> items, int axis, std::size_t count) {
   }
 }
 
-/// How many of `blocks` go to the left: about half of them, whole subtrees.
+/// Returns how many of `blocks` go to the left: about half of them, in whole subtrees.
 std::size_t left_blocks(std::size_t blocks) {
   std::size_t unit = 1;
   while (unit * kLanes < blocks)

@@ -9,8 +9,8 @@
 
 namespace graze::bvh {
 
-/// The middle between two keys of ordered_box(), from an origin that precision does not ask much
-/// of: rounded, but always finite.
+/// Returns the middle between two keys of ordered_box(), from an origin that precision does not ask
+/// much of. It is rounded, but always finite.
 static inline float centre(std::int64_t low, std::int64_t high, double origin) {
   constexpr double kLargest = std::numeric_limits<float>::max();
   const double value = 0.5 * value_of_key(low) + 0.5 * value_of_key(high) - origin;
@@ -26,7 +26,7 @@ struct KdItem {
 /// Puts items into an order in which every 16 consecutive ones lie together, and every 16 of such
 /// blocks, and so on: by cutting at the median of the longest side until a block is left, each cut
 /// at a whole number of the largest subtrees. The order follows from the items as they come, and
-/// from no library's. Runs on the threads of the caller's arena. O(n log n).
+/// from the order of no library. It runs on the threads of the caller's arena, in O(n log n).
 void kd_order(std::span<KdItem> items);
 
 }  // namespace graze::bvh

@@ -7,7 +7,7 @@
 namespace graze::bvh {
 namespace {
 
-/// The volume in which 16 of the sample lie, cubic metres: the median.
+/// Returns the volume in which 16 of the sample lie, cubic metres: the median of such volumes.
 double volume_of_cell(std::span<KdItem> sample) {
   kd_order(sample);
   std::vector<double> volumes;
@@ -29,8 +29,8 @@ double volume_of_cell(std::span<KdItem> sample) {
   return *middle;
 }
 
-/// Rounded, and the same on every machine, which a library's need not be. Newton's method, from a
-/// power of two that is off by a factor of 4 at most.
+/// Returns the cube root, rounded, and the same on every machine, which a library's need not be. It
+/// is found by Newton's method, from a power of two that is off by a factor of 4 at most.
 double cube_root(double x) {
   constexpr int kSteps = 8;
   double root = std::ldexp(1.0, std::ilogb(x) / 3);
@@ -39,14 +39,14 @@ double cube_root(double x) {
   return root;
 }
 
-/// A layer by what is in one cell.
+/// A layer as one cell of space sees it.
 struct SharedLayer {
-  double side;    // of its largest boxes
-  double blocks;  // of them
+  double side;    ///< metres, of its largest boxes
+  double blocks;  ///< how many of its blocks are in the cell
 };
 
-/// Pairs of blocks that meet a cell, of so many in all, if blocks lie anywhere: each is as large as
-/// the space that its boxes share, and a box.
+/// Returns how many pairs of blocks meet in a cell, of so many cells in all, if blocks lie
+/// anywhere: each block is as large as the space that its boxes share, and a box.
 double meetings(std::span<const SharedLayer> layers, double cell, double cells) {
   double sum = 0;
   for (std::size_t i = 0; i < layers.size(); ++i) {

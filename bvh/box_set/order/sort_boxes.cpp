@@ -1,4 +1,4 @@
-// Putting the boxes of a set into a new order.
+// This puts the boxes of a set into a new order.
 
 #include <graze/bvh/box_set/order/box_order.h>
 #include <graze/bvh/box_set/order/size_classes.h>
@@ -9,7 +9,7 @@
 namespace graze::bvh {
 namespace {
 
-// What sorting costs, in pairs of blocks that a search could have met instead, per block.
+// Sorting costs so many pairs of blocks, which a search could have met instead, for each block.
 constexpr double kSortCost = 80;
 
 constexpr std::size_t kMostLayers = 24;
@@ -35,7 +35,7 @@ void BoxOrder::prepare_for_search() {
   }
 }
 
-/// Centres of some boxes, from an origin that precision does not ask much of.
+/// Returns the centres of some boxes, from an origin that precision does not ask much of.
 std::vector<KdItem> BoxOrder::sample_centres(const double* origin) const {
   std::vector<KdItem> sample;
   const std::size_t count = std::min(kSample, store_.proxies.size());
@@ -50,7 +50,7 @@ std::vector<KdItem> BoxOrder::sample_centres(const double* origin) const {
   return sample;
 }
 
-/// Which layer each class of sizes goes to, by the class.
+/// Returns for each class of sizes the layer to which it goes.
 std::vector<std::uint8_t> BoxOrder::choose_layers(std::span<const std::uint32_t> count_of_class,
                                                   const double* origin) const {
   std::vector<SizeClass> classes;
@@ -109,7 +109,7 @@ void BoxOrder::collect_items(SortSpace& space) const {
   }
 }
 
-/// The layers, their blocks and all that belongs to them, empty: from here on nothing throws.
+/// Makes the layers, their blocks and all that belongs to them, empty. After this nothing throws.
 void BoxOrder::make_room_for_items(SortSpace& space) const {
   const std::vector<std::uint32_t>& start = space.starts;
   space.layers.resize(start.size());
@@ -125,7 +125,7 @@ void BoxOrder::make_room_for_items(SortSpace& space) const {
     }
     blocks += layer.block_count;
   }
-  // With room for newcomers, so that the first of them does not double the memory.
+  // There is room for newcomers, so that the first of them does not double the memory.
   const std::size_t room = blocks + blocks / kRoomShare + kLanes;
   space.high.reserve(room), space.low.reserve(room), space.proxies.reserve(room * kLanes);
   space.high.assign(blocks, empty_block());

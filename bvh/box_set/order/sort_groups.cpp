@@ -1,4 +1,5 @@
-// A new order for 16 neighbouring blocks among themselves, where boxes have come and gone.
+// This finds a new order for 16 neighbouring blocks among themselves, where boxes have come and
+// gone.
 
 #include <graze/bvh/box_set/order/box_order.h>
 #include <graze/bvh/box_set/order/kd_order.h>
@@ -9,17 +10,18 @@
 namespace graze::bvh {
 namespace {
 
-// The blocks of a group may be so much degraded, summed, before it is sorted: as all blocks may.
+// The degradation of a group's blocks, summed, may be so large before the group is sorted: that of
+// all blocks may be as large.
 constexpr double kMostDegraded = kLanes;
 
-constexpr std::size_t kFewItems = 24;  // are sorted in one go
+constexpr std::size_t kFewItems = 24;  // at most so many items are sorted in one go
 constexpr int kMostCuts = 8;
 
 using GroupBlocks = std::array<std::uint8_t, kLanes * kLanes>;
 
 struct GroupItem {
-  std::array<float, 3> centre;  // from any box of the group
-  std::uint32_t place;          // within the group
+  std::array<float, 3> centre;  ///< metres, from any box of the group
+  std::uint32_t place;          ///< the place within the group
 };
 
 std::size_t longest_axis(std::span<const GroupItem> items) {
@@ -92,7 +94,7 @@ void split(std::span<GroupItem> items, std::uint8_t first_block, std::uint8_t bl
 
 }  // namespace
 
-/// Of the groups to which boxes came since the last refit, those that this has stretched.
+/// Sorts those of the groups to which boxes came since the last refit that this has stretched.
 void BoxOrder::sort_groups() {
   for (const FilledGroup& group : filled_) {
     store_.layers[group.layer].is_filled[group.block] = false;
@@ -108,7 +110,8 @@ double BoxOrder::degradation_of_group(const Layer& layer, std::uint32_t first) c
   return sum;
 }
 
-/// Most boxes stay: only those move that change their blocks.
+/// Moves the boxes to the blocks that they were given. Most boxes stay: only those move that change
+/// their blocks.
 void BoxOrder::regroup(std::uint32_t base, const GroupBlocks& block_of) {
   struct Mover {
     OrderedBox box;
@@ -162,7 +165,8 @@ void BoxOrder::sort_group(Layer& layer, std::uint32_t group) {
   }
   refit_blocks(store_.high.data() + layer.first_block, first, first + kLanes,
                layer.upper[1].data());
-  // No block may be held to a wider one than the widest: a bad order does not become the norm.
+  // No block may be held to a wider perimeter than the widest had: a bad order does not become the
+  // norm.
   const auto perimeters = layer.sorted_perimeter.begin() + first;
   const float widest = *std::max_element(perimeters, perimeters + kLanes);
   for (std::uint32_t b = first; b < first + kLanes; ++b)

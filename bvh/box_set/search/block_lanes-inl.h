@@ -1,5 +1,6 @@
-// The boxes of a block lane by lane: which may overlap one box, and which surely do; and blocks
-// against blocks, many pairs of them at a time. Included once for each SIMD target.
+// These compare the boxes of a block with one box, lane by lane: which may overlap it, and which
+// surely do; and blocks with blocks, many pairs of them at a time. This file is included once for
+// each SIMD target.
 
 #if defined(GRAZE_BVH_BLOCK_LANES) == defined(HWY_TARGET_TOGGLE)
 #ifdef GRAZE_BVH_BLOCK_LANES
@@ -40,7 +41,7 @@ HWY_INLINE std::uint32_t bits_of(Mask mask) {
   return bits;
 }
 
-/// One box, each of its high halves in all lanes of a register.
+/// A box, each of whose high halves is in all lanes of a register.
 struct BroadcastBox {
   Lanes row[6];
   HWY_INLINE BroadcastBox(const Block& block, std::uint32_t lane) {
@@ -83,7 +84,7 @@ HWY_INLINE std::uint32_t sure_lanes(const Block& block, const BroadcastBox& box)
   return bits;
 }
 
-/// The bits of those `unsure` lanes that overlap the box by the low halves, too.
+/// Returns the bits of those `unsure` lanes that overlap the box by the low halves, too.
 inline HWY_NOINLINE std::uint32_t decided_lanes(const Block& high, const LowBlock& low,
                                                 const OrderedBox& box, std::uint32_t unsure) {
   std::uint32_t bits = 0;
@@ -100,11 +101,12 @@ HWY_INLINE BroadcastBox bounds(const TreeView& tree, int level, std::uint32_t bl
 
 /// Lanes of a block by what the high halves of a box say about them.
 struct NearLanes {
-  std::uint32_t near;    ///< not shown to be apart from the box
-  std::uint32_t unsure;  ///< of these: high halves are equal, so that the low ones decide
+  std::uint32_t near;    ///< lanes that are not shown to be apart from the box
+  std::uint32_t unsure;  ///< those of these whose high halves are equal, so that the low ones
+                         ///< decide
 };
 
-/// As near_lanes() and sure_lanes(), by the interval that the two have in common along each axis.
+/// Finds both kinds of lanes by the interval that each has in common with the box along each axis.
 /// Where its length is 0, high halves are equal, and the low ones decide.
 HWY_INLINE NearLanes near_and_unsure(const Block& block, const BroadcastBox& box) {
   const Tag tag;
@@ -133,7 +135,7 @@ HWY_INLINE NearLanes near_and_unsure(const Block& block, const BroadcastBox& box
 // that g++ 12.2 copies to the stack each time; there a loop over the bits is faster.
 inline constexpr bool kPacks = hn::MaxLanes(Tag()) == kLanes;
 
-/// The lanes whose bits are set, one after the other.
+/// Returns the lanes whose bits are set, one after the other.
 template <typename Numbers>
 HWY_INLINE Numbers packed(Numbers numbers, std::uint32_t bits) {
   std::uint8_t bytes[8] = {};  // Highway may read eight bytes
@@ -159,7 +161,7 @@ HWY_INLINE Number* list_bits(std::uint32_t bits, std::uint32_t first, Number* en
     hn::StoreU(packed(hn::Add(hn::Iota(tag, 0), hn::Set(tag, first)), bits), tag, end);
     return end + std::popcount(bits);
   }
-  // Four are written whether they are there or not.
+  // Four numbers are written whether they are there or not.
   Number* const last = end + std::popcount(bits);
   for (int i = 0; i < 4; ++i, bits &= bits - 1)
     end[i] = first + static_cast<std::uint32_t>(std::countr_zero(bits));
@@ -179,7 +181,7 @@ HWY_INLINE Pair* list_pairs(std::uint32_t mine, const std::uint32_t* others, std
     store_pairs(hn::Min(me, other), hn::Max(me, other), std::popcount(bits), end);
     return end + std::popcount(bits);
   }
-  // Two are written whether they are there or not.
+  // Two pairs are written whether they are there or not.
   Pair* const last = end + std::popcount(bits);
   for (int i = 0; i < 2; ++i, bits &= bits - 1) {
     const std::uint32_t other = others[std::countr_zero(bits | 1u << (kLanes - 1))];
@@ -218,13 +220,14 @@ class LeafBatch {
   std::uint64_t met() const { return met_; }
 
  private:
-  static constexpr std::uint32_t kPairs = 64;  ///< in a batch
+  static constexpr std::uint32_t kPairs = 64;  ///< how many pairs a batch holds
   static constexpr std::uint32_t kAhead = 4;   ///< pairs whose blocks are fetched ahead
 
   struct LeafPair {
     std::uint32_t block[2];
   };
-  /// Two blocks: of one the rows are taken, boxes that are held against the lanes of the other.
+  /// Two blocks: the rows of one are boxes that are held against the lanes of the other, its
+  /// columns.
   struct Meeting {
     const Block* rows;
     const Block* columns;
@@ -233,7 +236,7 @@ class LeafBatch {
     std::uint32_t near;       ///< the columns that overlap the bounds of the other block
     std::int32_t upper_half;  ///< all bits set; for one block with itself the top bit alone, so
                               ///< that each pair is met once, in a column above its row
-    const LowBlock* low[2];   ///< of the rows, and of the columns
+    const LowBlock* low[2];   ///< low halves of the rows, and of the columns
   };
 
   HWY_INLINE const Block& high(int side, std::uint32_t block) const {
@@ -248,7 +251,7 @@ class LeafBatch {
     }
   }
 
-  /// Takes the boxes that overlap the bounds of the other block as rows, of the block that has
+  /// Takes as rows the boxes that overlap the bounds of the other block, from the block that has
   /// fewer of them.
   HWY_INLINE std::uint32_t* list_rows(std::uint32_t i, std::uint32_t* end) {
     const LeafPair& pair = pairs_[i];
@@ -268,7 +271,7 @@ class LeafBatch {
     return list_bits(near[side], i * kLanes, end);
   }
 
-  /// Appends what the rows overlap, exactly.
+  /// Appends the boxes that the rows overlap, exactly.
   HWY_INLINE void find_overlaps(const std::uint32_t* end_of_rows) {
     const auto count = static_cast<std::size_t>(end_of_rows - rows_);
     BoxPair* end = out_.room_for((count + 1) * kLanes);
@@ -276,7 +279,7 @@ class LeafBatch {
       const Meeting& meeting = meetings_[*row / kLanes];
       const std::uint32_t lane = *row & (kLanes - 1);
       const NearLanes found = near_and_unsure(*meeting.columns, BroadcastBox(*meeting.rows, lane));
-      // Of one block with itself only the columns above the row's own: bits lane + 1 and up.
+      // If a block meets itself, only the columns above the row's own count: bits lane + 1 and up.
       const std::uint32_t wanted =
           meeting.near & static_cast<std::uint32_t>(meeting.upper_half >> (30 - lane));
       std::uint32_t overlapping = found.near & wanted;
@@ -297,7 +300,7 @@ class LeafBatch {
   std::uint64_t met_ = 0;
   LeafPair pairs_[kPairs];
   Meeting meetings_[kPairs];
-  std::uint32_t rows_[(kPairs + 1) * kLanes];  // 16 times the meeting plus the lane
+  std::uint32_t rows_[(kPairs + 1) * kLanes];  ///< 16 times the number of the meeting plus the lane
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Searches for all pairs, which share their work among threads.
+// This searches for all pairs; threads share the work.
 
 #include <graze/bvh/box_set/search/box_search.h>
 
@@ -7,9 +7,10 @@
 namespace graze::bvh {
 namespace {
 
-constexpr std::size_t kTasks = 512;     // at least so many, where there are enough blocks
-constexpr std::size_t kChunks = 64;     // of tasks, each with a list of its own
-constexpr std::uint32_t kTreeBits = 8;  // of BlockPair::trees, for the number of one tree
+constexpr std::size_t kTasks = 512;     // the least number of tasks, where there are enough blocks
+constexpr std::size_t kChunks = 64;     // the number of chunks of tasks, each with a list of its
+                                        // own
+constexpr std::uint32_t kTreeBits = 8;  // the bits of BlockPair::trees for the number of one tree
 
 int level_of(const BlockPair& pair) {
   return std::max(pair.level_a, pair.level_b);
@@ -17,7 +18,7 @@ int level_of(const BlockPair& pair) {
 
 }  // namespace
 
-/// The search as pairs of blocks, in an order that no number of threads changes.
+/// Lists the search as pairs of blocks, in an order that no number of threads changes.
 void BoxSearch::list_tasks(std::size_t wanted) {
   std::vector<BlockPair>& tasks = tasks_;
   tasks.clear();
@@ -29,7 +30,7 @@ void BoxSearch::list_tasks(std::size_t wanted) {
                        static_cast<std::uint16_t>(i << kTreeBits | j)});
     }
   }
-  // Those of the highest level first: what lies below a task grows with its level.
+  // Tasks of the highest level are split first: what lies below a task grows with its level.
   while (tasks.size() < wanted) {
     int highest = 0;
     for (const BlockPair& task : tasks)
@@ -48,7 +49,8 @@ void BoxSearch::list_tasks(std::size_t wanted) {
   }
 }
 
-/// Searches all of `tasks`, those of the same two trees together. Returns the pairs of blocks met.
+/// Searches all of `tasks`, those of the same two trees together. Returns how many pairs of blocks
+/// it met.
 std::uint64_t BoxSearch::find_below(std::span<const BlockPair> tasks, PairBuffer& out) const {
   std::uint64_t met = 0;
   for (std::size_t first = 0, last = 0; first < tasks.size(); first = last) {

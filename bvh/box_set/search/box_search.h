@@ -11,14 +11,14 @@
 
 namespace graze::bvh {
 
-/// How the boxes of a store are searched, whose bounds must fit: all pairs that overlap, what
-/// overlaps single boxes, what lies along a ray.
+/// Searches the boxes of a store, whose bounds must fit: for all pairs that overlap, for what
+/// overlaps single boxes, for what lies along a ray.
 class BoxSearch {
  public:
   BoxSearch(const BoxStore& store, const Workers& workers) : store_(store), workers_(workers) {}
 
-  /// All pairs that overlap, each once, in an order that the history of the store decides. Returns
-  /// how many pairs of blocks it met.
+  /// Finds all pairs that overlap, each once, in an order that the history of the store decides.
+  /// Returns how many pairs of blocks it met.
   std::uint64_t find_all_pairs(PairBuffer& out);
 
   /// Appends the proxies of all boxes that overlap `box`.
@@ -31,7 +31,7 @@ class BoxSearch {
   /// Visits the boxes along a ray, as bvh::walk_along() says.
   void walk_along(const RaySlabs& ray, double& limit, const RayVisitor& visit) const;
 
-  /// By the last search for all pairs.
+  /// Returns how many pairs of blocks the last search for all pairs met.
   std::uint64_t blocks_met() const { return met_; }
   std::size_t bytes() const;
 
@@ -45,8 +45,8 @@ class BoxSearch {
   const Workers& workers_;
   std::uint64_t met_ = 0;
   std::vector<BlockPair> tasks_, next_tasks_;
-  std::vector<PairBuffer> found_of_;   ///< by chunks of tasks
-  std::vector<std::uint64_t> met_of_;  ///< likewise
+  std::vector<PairBuffer> found_of_;   ///< the pairs that each chunk of tasks found
+  std::vector<std::uint64_t> met_of_;  ///< how many pairs of blocks each chunk met
 };
 
 }  // namespace graze::bvh

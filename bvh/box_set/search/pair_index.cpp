@@ -4,7 +4,8 @@
 
 namespace graze::bvh {
 
-/// Fibonacci hashing: the top bits of a product with the golden ratio (Knuth, TAOCP 3, 6.4).
+/// Returns the entry where a pair is looked for first, by Fibonacci hashing: the top bits of a
+/// product with the golden ratio (Knuth, TAOCP 3, 6.4).
 std::size_t PairIndex::home(BoxPair pair) const {
   const std::uint64_t key = static_cast<std::uint64_t>(pair.a) << 32 | pair.b;
   const std::uint64_t mixed = (key ^ key >> 29) * 0x9e3779b97f4a7c15u;
@@ -19,7 +20,7 @@ std::size_t PairIndex::find(const PairBuffer& list, BoxPair pair) const {
   return at;
 }
 
-/// With entries for a list of that size.
+/// Builds the index with entries for a list of up to `longest` pairs.
 void PairIndex::build(const PairBuffer& list, std::size_t longest) {
   const std::size_t size = std::bit_ceil(2 * longest + 1024);
   entries_.assign(size, kFree);

@@ -9,24 +9,25 @@
 
 namespace graze::bvh {
 
-/// Where in a list each pair is: a hash table with linear probing, 4 bytes an entry, at most half
-/// full. It lets a list of millions of pairs lose and gain single ones, and stays one flat list.
+/// Says where in a list each pair is: a hash table with linear probing, 4 bytes an entry, at most
+/// half full. It lets a list of millions of pairs lose and gain single ones, and stays one flat
+/// list.
 class PairIndex {
  public:
   /// Forgets what it knew.
   void reset() { entries_.clear(); }
   bool is_built() const { return !entries_.empty(); }
 
-  /// Learns the whole list. O(list).
+  /// Learns the whole list, in linear time.
   void build(const PairBuffer& list) { build(list, list.size()); }
 
-  /// Memory for a list that grows by so many: add() will throw nothing, nor will remove().
+  /// Makes room for a list that grows by so many: then neither add() nor remove() will throw.
   void reserve(PairBuffer& list, std::size_t more);
 
-  /// The pair becomes the last of the list. It must not be in it.
+  /// Appends the pair to the list. It must not be in it.
   void add(PairBuffer& list, BoxPair pair);
 
-  /// The last of the list takes the place of the pair, which must be in it.
+  /// Removes the pair, which must be in the list: the last of the list takes its place.
   void remove(PairBuffer& list, BoxPair pair);
 
   /// Fetches what the next call that names the pair will look at first.
@@ -38,7 +39,7 @@ class PairIndex {
   void prefetch_removal(const PairBuffer& list, std::span<const BoxPair> ended,
                         std::size_t i) const;
 
-  /// Where in the list the pair is, kNowhere if it is not.
+  /// Returns where in the list the pair is, kNowhere if it is not.
   std::uint32_t position(const PairBuffer& list, BoxPair pair) const {
     return entries_[find(list, pair)];
   }

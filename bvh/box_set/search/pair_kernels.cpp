@@ -124,7 +124,7 @@ HWY_INLINE std::uint32_t exact_lanes(const Block& block, const LowBlock& low,
                                    : near;
 }
 
-/// The movers' high halves: mover i in lane i.
+/// Returns the movers' high halves: mover i is in lane i.
 HWY_INLINE Block high_halves(std::span<const OrderedBox> boxes) {
   Block block = empty_block();
   for (std::size_t i = 0; i < boxes.size(); ++i) {
@@ -134,7 +134,7 @@ HWY_INLINE Block high_halves(std::span<const OrderedBox> boxes) {
   return block;
 }
 
-/// The blocks one level down that the movers may overlap.
+/// Lists the blocks one level down that the movers may overlap.
 HWY_INLINE void step_down(const TreeView& tree, int level, const Block& before, const Block& after,
                           Lookup& lookup) {
   lookup.below.clear();

@@ -1,7 +1,7 @@
 #pragma once
 
-// The loops over blocks of boxes, once for each SIMD target. What they find, and in which order,
-// is the same on all of them.
+// These loops over blocks of boxes are compiled once for each SIMD target. What they find, and in
+// which order, is the same on all of them.
 
 #include <graze/bvh/box_set/search/pair_lists.h>
 #include <graze/bvh/box_set/store/block.h>
@@ -18,7 +18,7 @@ struct BlockPair {
   std::uint32_t b;
   std::uint8_t level_a;
   std::uint8_t level_b;
-  std::uint16_t trees;  ///< which trees, for whoever keeps a list of such pairs
+  std::uint16_t trees;  ///< the two trees, for whoever keeps a list of such pairs
 };
 
 /// Appends the pairs of boxes below each of `starts` that overlap, exactly, and returns how many
@@ -28,7 +28,8 @@ struct BlockPair {
 std::uint64_t find_pairs(const TreeView& a, const TreeView& b, std::span<const BlockPair> starts,
                          PairBuffer& out);
 
-/// Appends the pairs of blocks that `start` leads to, one step down. Not for two blocks of boxes.
+/// Appends the pairs of blocks that `start` leads to, one step down. `start` must not be two blocks
+/// of boxes.
 void split_pair(const TreeView& a, const TreeView& b, BlockPair start, std::vector<BlockPair>& out);
 
 /// Appends the proxies of the boxes that overlap `box`, exactly.
@@ -42,14 +43,14 @@ struct MoverOverlap {
   std::uint8_t overlaps;    ///< 1 if it overlaps the mover where that is
 };
 
-/// A block that some of the movers looked up together may overlap. Working memory.
+/// The working memory of a lookup of movers.
 struct Reached {
   std::uint32_t mover;
   std::uint32_t block;
 };
 struct Lookup {
-  std::vector<Reached> reached;  ///< on the level that is looked at
-  std::vector<Reached> below;    ///< one level down
+  std::vector<Reached> reached;  ///< blocks on the level that is looked at
+  std::vector<Reached> below;    ///< blocks one level down
 };
 
 /// Appends what overlaps before[i] or after[i], exactly, for up to 16 movers: they go down level by

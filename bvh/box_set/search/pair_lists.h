@@ -11,7 +11,7 @@
 
 namespace graze::bvh {
 
-/// A list of pairs whose new elements are not set to zero first. Keeps its memory when cleared.
+/// A list of pairs whose new elements are not set to zero first. It keeps its memory when cleared.
 class PairBuffer {
  public:
   std::size_t size() const { return size_; }
@@ -26,7 +26,8 @@ class PairBuffer {
     ++size_;
   }
 
-  /// Where the next `count` pairs can be written; they belong to the list when set_end() says so.
+  /// Returns where the next `count` pairs can be written; they belong to the list when set_end()
+  /// says so.
   BoxPair* room_for(std::size_t count) {
     if (size_ + count > capacity_) grow(size_ + count);
     return data_.get() + size_;
@@ -52,8 +53,8 @@ class PairBuffer {
 };
 
 /// Writes the pairs in ascending order to `sorted`, which must not be `pairs`. All indices are
-/// below `index_count`; `ends` is working memory. O(pairs + index_count) but for the order in a
-/// row.
+/// below `index_count`; `ends` is working memory. It takes O(pairs + index_count), and the time to
+/// sort each row.
 void sort_pairs(std::span<const BoxPair> pairs, std::uint32_t index_count,
                 std::vector<std::uint32_t>& ends, PairBuffer& sorted);
 
@@ -61,11 +62,11 @@ void sort_pairs(std::span<const BoxPair> pairs, std::uint32_t index_count,
 /// came.
 class PairRows {
  public:
-  /// All indices are below `index_count`. O(pairs + index_count).
+  /// Groups the pairs. All indices must be below `index_count`. It takes O(pairs + index_count).
   void group(std::span<const BoxPair> pairs, std::uint32_t index_count);
 
   std::uint32_t row_count() const { return static_cast<std::uint32_t>(ends_.size()); }
-  /// Empty beyond the last row.
+  /// Returns a row, which is empty beyond the last one.
   std::span<const BoxPair> row(std::uint32_t a) const {
     if (a >= ends_.size()) return {};
     const std::uint32_t first = a == 0 ? 0 : ends_[a - 1];
@@ -80,14 +81,13 @@ class PairRows {
   std::vector<std::uint32_t> ends_;
 };
 
-/// Working memory.
+/// The working memory of append_difference().
 struct RowsToSort {
   std::vector<BoxPair> left, right;
 };
 
 /// Appends what is in `now` alone to `begun`, and what is in `before` alone to `ended`, ascending.
-/// From one search to the next most rows are the same, and in the same order: then nothing is
-/// sorted.
+/// From one search to the next most rows are the same, and in the same order: these are not sorted.
 void append_changes(const PairRows& before, const PairRows& now, RowsToSort& memory,
                     PairBuffer& begun, PairBuffer& ended);
 

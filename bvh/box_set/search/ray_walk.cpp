@@ -15,7 +15,8 @@ struct Open {
 
 using OpenStack = TraversalStack<Open, 160>;
 
-/// A lane of a block of upper bounds, rounded outward to high halves: by less than 2^-20.
+/// Returns where the ray enters a lane of a block of upper bounds, whose high halves are rounded
+/// outward by less than 2^-20.
 double lane_entry(const RaySlabs& ray, const Block& block, std::uint32_t lane, double limit) {
   if (block.row[0][lane] > block.row[3][lane]) return kNever;  // empty
   double low[3], high[3];
@@ -31,7 +32,7 @@ struct Lane {
   double entry;
 };
 
-/// The lanes that the ray may meet, the farthest first: as a stack wants them.
+/// Finds the lanes that the ray may meet, the farthest first, as a stack wants them.
 std::uint32_t find_lanes(const RaySlabs& ray, const Block& block, double limit, Lane* found) {
   std::uint32_t count = 0;
   for (std::uint32_t lane = 0; lane < kLanes; ++lane) {
@@ -59,8 +60,8 @@ void visit_boxes(const TreeView& tree, const RaySlabs& ray, std::uint32_t block,
 
 }  // namespace
 
-// Seen from the ray's origin: where boxes and ray are far from that of the coordinates, the padding
-// would be lost in theirs.
+// The box is seen from the ray's origin: where boxes and ray are far from the origin of the
+// coordinates, the padding would be lost in their rounding.
 double padded_entry(const RaySlabs& ray, const double* low, const double* high, double limit) {
   double from_origin_low[3], from_origin_high[3];
   double farthest = 0;

@@ -7,15 +7,15 @@
 
 namespace graze::bvh {
 
-/// By how much boxes are grown before a ray is held against them, as a share of how far they extend
-/// from its origin: more than answers about the shapes in them are off by.
+/// Boxes are grown by this share of how far they extend from a ray's origin before they are
+/// compared with it: more than answers about the shapes in them are off by.
 inline constexpr double kRayPadding = 0x1p-37;
 
-/// As entry(), of a box grown by that.
+/// Answers entry() for a box that is grown by that.
 double padded_entry(const RaySlabs& ray, const double* low, const double* high, double limit);
 
-/// Is told of the proxy of a box that the ray may meet; returns the ray's parameter beyond which no
-/// more boxes are of interest.
+/// A function that is told of the proxy of a box that the ray may meet; it returns the ray's
+/// parameter beyond which no more boxes are of interest.
 using RayVisitor = std::function<double(std::uint32_t proxy)>;
 
 /// Visits all boxes that, grown, the ray meets within the limit, roughly from near to far. The

@@ -1,8 +1,8 @@
 #pragma once
 
-// How boxes are kept, as plain data that the kernels read. Doubles become integers of the same
-// order, in two halves: comparing the high halves of two numbers decides all but the pairs whose
-// high halves are equal, without any rounding. Sixteen boxes share a block.
+// Boxes are kept as plain data that the kernels read. Doubles become integers of the same order, in
+// two halves: comparing the high halves of two numbers decides all but the pairs whose high halves
+// are equal, without any rounding. Sixteen boxes share a block.
 
 #include <graze/bvh/aabb.h>
 
@@ -16,16 +16,17 @@ namespace graze::bvh {
 // These are static so that each source compiles its own: an inline function is shared by the
 // linker, and the copy that it keeps could be one compiled with a user's -ffast-math.
 
-/// An integer for each finite double: a < b exactly if ordered_key(a) < ordered_key(b). Both zeros
-/// have the key 0. Integers throughout, so that no compiler flag can fold the zeros back apart.
+/// Returns an integer for each finite double: a < b exactly if ordered_key(a) < ordered_key(b).
+/// Both zeros have the key 0. Only integers are used, so that no compiler flag can fold the zeros
+/// back apart.
 static inline std::int64_t ordered_key(double value) {
   const std::int64_t bits = std::bit_cast<std::int64_t>(value);
   const std::int64_t sign = bits >> 63;
-  // Of a negative number the magnitude counts downwards: -(magnitude), which sends -0 to 0.
+  // The magnitude of a negative number counts downwards: -(magnitude), which sends -0 to 0.
   return ((bits & INT64_MAX) ^ sign) - sign;
 }
 
-/// The double whose key this is.
+/// Returns the double whose key this is.
 static inline double value_of_key(std::int64_t key) {
   const std::int64_t sign = key >> 63;
   return std::bit_cast<double>(((key ^ sign) - sign) | (sign & INT64_MIN));
@@ -44,7 +45,7 @@ static inline std::int64_t joined(std::int32_t high, std::uint32_t low) {
       static_cast<std::uint64_t>(static_cast<std::uint32_t>(high)) << 32 | low);
 }
 
-/// The keys of min x, y, z, max x, y, z.
+/// A box as the keys of min x, y, z, max x, y, z.
 using OrderedBox = std::array<std::int64_t, 6>;
 
 static inline OrderedBox ordered_box(const Aabb& box) {
@@ -65,7 +66,7 @@ static inline Aabb box_of_keys(const OrderedBox& keys) {
   return box;
 }
 
-/// What overlaps nothing.
+/// Returns a box that overlaps nothing.
 static inline OrderedBox no_box() {
   return {INT64_MAX, INT64_MAX, INT64_MAX, INT64_MIN, INT64_MIN, INT64_MIN};
 }
@@ -78,13 +79,15 @@ static inline bool overlap(const OrderedBox& a, const OrderedBox& b) {
   return is_overlapping;
 }
 
-inline constexpr std::uint32_t kLanes = 16;    // boxes in a block: one register of AVX-512
+inline constexpr std::uint32_t kLanes = 16;    // the number of boxes in a block: one register of
+                                               // AVX-512
 inline constexpr std::uint32_t kLaneBits = 4;  // log2(kLanes)
-inline constexpr int kMaxLevels = 9;           // of a tree over less than 2^28 boxes
-inline constexpr std::uint32_t kNullIndex = 0xffffffffu;  // no proxy, no place
+inline constexpr int kMaxLevels = 9;           // the levels of a tree over less than 2^28 boxes
+inline constexpr std::uint32_t kNullIndex = 0xffffffffu;  // the index that stands for no proxy and
+                                                          // for no place
 
-/// High halves of 16 boxes, row by row: min x, y, z, max x, y, z. A level above the boxes is made
-/// of the same blocks: a lane there holds all boxes of one block below.
+/// The high halves of 16 boxes, row by row: min x, y, z, max x, y, z. A level above the boxes is
+/// made of the same blocks: a lane there holds all boxes of one block below.
 struct alignas(64) Block {
   std::int32_t row[6][kLanes];
 };
@@ -96,7 +99,7 @@ struct alignas(64) LowBlock {
 
 static_assert(sizeof(Block) == 384 && sizeof(LowBlock) == 384);
 
-/// High halves that overlap nothing: no finite number has these keys.
+/// The high halves of a box that overlaps nothing: no finite number has these keys.
 inline constexpr std::int32_t kEmptyMin = std::numeric_limits<std::int32_t>::max();
 inline constexpr std::int32_t kEmptyMax = std::numeric_limits<std::int32_t>::min();
 
@@ -132,8 +135,8 @@ static inline OrderedBox lane_box(const Block& high, const LowBlock& low, std::u
 /// The block on the top level has one lane, the bounds of all.
 struct TreeView {
   const Block* level[kMaxLevels];
-  const LowBlock* low;         ///< of level 0
-  const std::uint32_t* proxy;  ///< of each lane of level 0; kNullIndex where it is empty
+  const LowBlock* low;         ///< low halves of level 0
+  const std::uint32_t* proxy;  ///< the proxy in each lane of level 0; kNullIndex where it is empty
   int top;
 };
 

@@ -15,7 +15,7 @@ constexpr std::size_t kGrowthShare = 32;  // one place in so many is reserved fo
 constexpr std::size_t kBlocksPerTask = 512;
 constexpr std::size_t kAhead = 32;  // boxes that are fetched before they are needed
 
-/// One in `share` of what it holds is added to what it is asked to hold.
+/// Makes room for `count` more elements, and for one more in `share` of those that there are.
 template <typename T>
 void make_room_in(std::vector<T>& of, std::size_t count, std::size_t share) {
   if (of.size() + count > of.capacity()) of.reserve(of.size() + of.size() / share + count);
@@ -50,7 +50,7 @@ TreeView BoxStore::view(std::size_t layer) const {
                  proxies.data() + std::size_t{of.first_block} * kLanes);
 }
 
-/// Before the first sort memory doubles, and the sort gives back what is too much.
+/// Makes room. Before the first sort memory doubles, and the sort gives back what is too much.
 void BoxStore::reserve(std::size_t boxes, std::uint32_t proxy_limit) {
   const std::size_t share = !was_sorted ? 1 : kGrowthShare;
   if (proxy_limit > places.size()) {

@@ -1,9 +1,9 @@
 #pragma once
 
-// Work that goes on at once, and is done when the call returns. oneTBB does it; ThreadSanitizer
-// cannot follow oneTBB, which is not compiled for it, and would call every result of a worker a
-// race. Code that it watches forks threads that it can see, one for each part: where TBB may let
-// parts run at once they do, and nothing else orders them.
+// These functions do work at once on several threads; it is done when the call returns. oneTBB does
+// it. ThreadSanitizer cannot follow oneTBB, which is not compiled for it, and would call every
+// result of a worker a race. Code that it watches forks threads that it can see, one for each part:
+// where TBB may let parts run at once they do, and nothing else orders them.
 
 #if defined(__SANITIZE_THREAD__)
 #define GRAZE_FORKS_THREADS
@@ -30,7 +30,7 @@ namespace graze::bvh {
 template <typename Work>
 void fork_each(std::size_t count, const Work& work);
 
-/// Calls both.
+/// Calls both functions.
 template <typename First, typename Second>
 void fork_both(const First& first, const Second& second);
 

@@ -109,7 +109,7 @@ double Layer::perimeter_of(std::uint32_t block) const {
   return perimeter(upper[1][block >> kLaneBits], block & (kLanes - 1));
 }
 
-// Of the numbers with one high half; the first of some would be infinite.
+// The middle of the numbers with one high half; the first of some would be infinite.
 constexpr std::uint32_t kMiddle = 0x80000000u;
 
 double perimeter(const Block& block, std::uint32_t lane) {

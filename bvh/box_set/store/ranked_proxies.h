@@ -7,11 +7,11 @@
 
 namespace graze::bvh {
 
-/// Which proxies an ascending list names, and where in the list: it takes a bit and a half for each
-/// proxy, where a table would take 32.
+/// Says which proxies an ascending list names, and where in the list: it takes a bit and a half for
+/// each proxy, where a table would take 32.
 class RankedProxies {
  public:
-  /// `proxy_of(i)`, for i below `count`, ascends and stays below `proxies`.
+  /// Takes a list: `proxy_of(i)`, for i below `count`, ascends and stays below `proxies`.
   template <typename ProxyOf>
   void assign(std::size_t proxies, std::size_t count, const ProxyOf& proxy_of) {
     words_.assign((proxies + kBits - 1) / kBits, {});
@@ -26,7 +26,7 @@ class RankedProxies {
     }
   }
 
-  /// Where in the list a proxy is; a place beyond its end if it is not there.
+  /// Returns where in the list a proxy is; a place beyond its end if it is not there.
   std::size_t rank(std::uint32_t proxy) const {
     constexpr std::size_t kNowhere = static_cast<std::size_t>(-1);
     if (proxy / kBits >= words_.size()) return kNowhere;
@@ -43,7 +43,7 @@ class RankedProxies {
 
   struct Word {
     std::uint64_t named = 0;
-    std::uint32_t before = 0;  ///< named by the words before
+    std::uint32_t before = 0;  ///< how many proxies the words before name
   };
 
   std::vector<Word> words_;

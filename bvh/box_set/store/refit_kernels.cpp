@@ -1,5 +1,5 @@
-// Bounds of blocks for each SIMD target that the compiler knows; the widest that the CPU has is
-// chosen when the program runs. They compare integers, so that all of them agree.
+// These compute the bounds of blocks for each SIMD target that the compiler knows; the widest that
+// the CPU has is chosen when the program runs. They compare integers, so that all of them agree.
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "graze/bvh/box_set/store/refit_kernels.cpp"

@@ -12,7 +12,8 @@ class Workers {
  public:
   explicit Workers(int threads);
 
-  /// False if the work had better be done in one go: one thread, or too little for more.
+  /// Returns false if the work had better be done in one go: for one thread, or for too little work
+  /// to share.
   bool share(std::size_t boxes) const { return arena_ != nullptr && boxes >= kFewBoxes; }
 
   /// Calls work(chunk) for each chunk below `chunks`.
@@ -38,7 +39,8 @@ class Workers {
   }
 
  private:
-  /// Some work, called by its address: oneTBB's templates are compiled once, not for each work.
+  /// Work that is called by its address: oneTBB's templates are compiled once, not for each kind of
+  /// work.
   struct OpaqueWork {
     void (*call)(const void* context, std::size_t chunk);
     const void* context;

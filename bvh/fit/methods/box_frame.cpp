@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kLeast = std::numeric_limits<double>::denorm_min();
 
-/// The coordinate axis that is farthest from `v`.
+/// Returns the coordinate axis that is farthest from `v`.
 Eigen::Vector3d unlike(const Eigen::Vector3d& v) {
   int least = 0;
   for (int k = 1; k < 3; ++k) {
@@ -19,7 +19,7 @@ Eigen::Vector3d unlike(const Eigen::Vector3d& v) {
   return Eigen::Vector3d::Unit(least);
 }
 
-/// What is left of `v` across the unit vector `axis`, at length 1; zero if nothing is.
+/// Returns what is left of `v` across the unit vector `axis`, at length 1; zero if nothing is.
 Eigen::Vector3d unit_across(Eigen::Vector3d v, const Eigen::Vector3d& axis) {
   for (int twice = 0; twice < 2; ++twice) {  // the second time removes what cancellation left
     const double length = v.norm();
@@ -31,7 +31,7 @@ Eigen::Vector3d unit_across(Eigen::Vector3d v, const Eigen::Vector3d& axis) {
   return length > 0.5 ? Eigen::Vector3d(v / length) : Eigen::Vector3d::Zero();
 }
 
-/// The largest coordinates in size of the points in the frame, by law 3's very operations.
+/// Returns the largest sizes of the points' coordinates in the frame, by law 3's very operations.
 Eigen::Vector3d largest_coordinates(const Pose& pose, std::span<const Eigen::Vector3d> points) {
   const double* m = pose.data();
   double largest[3] = {0, 0, 0};
@@ -50,13 +50,13 @@ Eigen::Vector3d largest_coordinates(const Pose& pose, std::span<const Eigen::Vec
   return {largest[0], largest[1], largest[2]};
 }
 
-/// Half extents that hold the exact coordinates y of the points, y = R^-1 d with d = v - t, given
-/// the largest of those that law 3 rounds. Let u = 2^-53, R^T R = I + E with |E_ij| <= e, S the sum
-/// of the largest rounded coordinates. From y + E y = R^T d follows |y - R^T d| <= e |y|_1 for each
-/// coordinate. Law 3 rounds each of the three terms of R^T d four times at most (difference,
-/// product, two sums): it is off by 4.01 u |d| <= 4.1 u |y|_1, and by three times half the least
-/// denormal where products underflow. |y|_1 is at most 1.01 S and some denormals. The deviation is
-/// computed with an error below 4 u. Together y exceeds its rounded value by less than
+/// Returns half extents that hold the exact coordinates y of the points, y = R^-1 d with d = v - t,
+/// given the largest of those that law 3 rounds. Let u = 2^-53, R^T R = I + E with |E_ij| <= e, S
+/// the sum of the largest rounded coordinates. From y + E y = R^T d follows |y - R^T d| <= e |y|_1
+/// for each coordinate. Law 3 rounds each of the three terms of R^T d four times at most
+/// (difference, product, two sums): it is off by 4.01 u |d| <= 4.1 u |y|_1, and by three times half
+/// the least denormal where products underflow. |y|_1 is at most 1.01 S and some denormals. The
+/// deviation is computed with an error below 4 u. Together y exceeds its rounded value by less than
 /// (1.01 e + 9 u) S and 4 denormals, and the last addition rounds by u S: 2 e + 16 u cover that.
 /// Along the coordinate axes only the difference rounds, to the nearest: one ulp covers it.
 Eigen::Vector3d rounded_outward(const Pose& pose, const Eigen::Vector3d& largest) {

@@ -8,14 +8,14 @@
 
 namespace graze::bvh {
 
-/// Columns are the axes of a box.
+/// The axes of a box, as columns.
 using Axes = Eigen::Matrix3d;
 
-/// A right-handed frame along `first`, with its second axis in the plane of both; where they have
-/// none, any such frame. A first of zero length gives the coordinate axes.
+/// Returns a right-handed frame along `first`, with its second axis in the plane of both; where
+/// they have none, any such frame. A first of zero length gives the coordinate axes.
 Axes axes_along(const Eigen::Vector3d& first, const Eigen::Vector3d& second);
 
-/// Lowest and highest coordinates of points along axes, in local units.
+/// The lowest and highest coordinates of points along axes, in local units.
 struct Extents {
   Eigen::Vector3d low;
   Eigen::Vector3d high;
@@ -23,16 +23,16 @@ struct Extents {
 
 Extents extents_along(const Axes& axes, const LocalPoints& points);
 
-/// Half the surface.
+/// Returns half the surface of the box.
 double half_surface(const Extents& extents);
 
-/// The volume after a billionth of the size is added to each extent: orders boxes of flat and of
-/// straight sets too.
+/// Returns the volume after a billionth of the size is added to each extent: so it orders boxes of
+/// flat and of straight sets too.
 double padded_volume(const Extents& extents);
 inline constexpr double kVolumePadding = 1e-9;
 
-/// The box along `axes` around `points`, which `local` was made from, rounded outward as obb_fit.h
-/// says; throws as it says.
+/// Returns the box along `axes` around `points`, which `local` was made from, rounded outward as
+/// obb_fit.h says; throws as it says.
 Obb box_along(const Axes& axes, const LocalPoints& local, std::span<const Eigen::Vector3d> points);
 
 }  // namespace graze::bvh

@@ -14,7 +14,7 @@ using Points = std::vector<Eigen::Vector3d>;
 constexpr std::array<Direction, 7> kDirections{
     {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}, {1, 1, -1}, {1, -1, 1}, {1, -1, -1}}};
 
-/// Of a line through two points, or a normal: what scan finds at its far ends.
+/// The least and greatest heights of points along a direction, and the points that have them.
 struct Span {
   double low;
   double high;
@@ -51,7 +51,7 @@ class Chooser {
  public:
   explicit Chooser(const Points& points) : points_(points) {}
 
-  /// The three boxes with one axis along the triangle's normal and one along an edge.
+  /// Tries the three boxes with one axis along the triangle's normal and one along an edge.
   void try_triangle(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
     const std::array<Eigen::Vector3d, 3> edges{b - a, c - b, a - c};
     Eigen::Vector3d normal = edges[0].cross(edges[1]);
@@ -72,7 +72,8 @@ class Chooser {
     }
   }
 
-  /// Only the line through the two points is known: what collinear points come to.
+  /// Tries the box along the line through two points, if nothing else is known: so it is for
+  /// collinear points.
   void try_line(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
     if (best_surface_ == std::numeric_limits<double>::infinity()) first_ = b - a;
   }
@@ -86,7 +87,7 @@ class Chooser {
   Eigen::Vector3d second_ = Eigen::Vector3d::Zero();
 };
 
-/// The point farthest from the line through a and b.
+/// Returns the point farthest from the line through a and b.
 const Eigen::Vector3d& far_from_line(const Points& points, const Eigen::Vector3d& a,
                                      const Eigen::Vector3d& b) {
   const Eigen::Vector3d direction = (b - a).normalized();

@@ -5,7 +5,7 @@
 
 namespace graze::bvh {
 
-/// The axes of DiTO-14, chosen by the surface of the box around the extremal points alone.
+/// Returns the axes of DiTO-14, chosen by the surface of the box around the extremal points alone.
 Axes ditetrahedron_axes(const LocalPoints& points);
 
 }  // namespace graze::bvh

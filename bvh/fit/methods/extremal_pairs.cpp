@@ -45,8 +45,8 @@ void widen(Range& range, const LocalPoints& points, const Direction& d, std::siz
   }
 }
 
-/// The first point from `begin` on at a height that is known to be there: computed by the same
-/// operations, it compares equal.
+/// Returns the first point from `begin` on at a height that is known to be there: computed by the
+/// same operations, it compares equal.
 std::size_t first_at(const LocalPoints& points, const Direction& d, double wanted,
                      std::size_t begin) {
   while (height(points, begin, d) != wanted)

@@ -17,7 +17,7 @@ struct ExtremalPair {
   std::size_t high;
 };
 
-/// One pair for each direction.
+/// Returns one pair for each direction.
 std::vector<ExtremalPair> extremal_pairs(const LocalPoints& points,
                                          std::span<const Direction> directions);
 

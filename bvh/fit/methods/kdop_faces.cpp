@@ -22,10 +22,10 @@ struct HalfSpace {
   double bound;
 };
 
-/// 2 i bounds slab i above, 2 i + 1 below.
+/// The half spaces of a k-DOP: 2 i bounds slab i above, 2 i + 1 below.
 using HalfSpaces = std::array<HalfSpace, 2 * kSlabs>;
 
-/// Convex, but for what rounding does to slivers.
+/// A face while it is clipped: a polygon that is convex, but for what rounding does to slivers.
 class FacePolygon {
  public:
   explicit FacePolygon(const HalfSpace& face) {
@@ -39,7 +39,8 @@ class FacePolygon {
 
   bool is_empty() const { return corners_.empty(); }
 
-  /// Sutherland and Hodgman: what lies inside stays, edges that cross the plane end there.
+  /// Clips the polygon as Sutherland and Hodgman do: what lies inside stays, edges that cross the
+  /// plane end there.
   void clip(const HalfSpace& half_space) {
     before_.swap(corners_);
     corners_.clear();
@@ -67,8 +68,8 @@ class FacePolygon {
   std::vector<Eigen::Vector3d> before_;
 };
 
-/// The bound of slab i relative to the centre c: b - n . c, with what n . c rounds taken off too,
-/// so that k-DOPs far from the origin keep their digits. In local units.
+/// Returns the bound of slab i relative to the centre c, in local units: b - n . c, with what n . c
+/// rounds taken off too, so that k-DOPs far from the origin keep their digits.
 double local_bound(double bound, int slab, const LocalFrame& frame, double scale) {
   const std::array<int, 3>& direction = kKDopDirections<18>[slab];
   double sum = 0;
@@ -83,7 +84,7 @@ double local_bound(double bound, int slab, const LocalFrame& frame, double scale
   return std::clamp(((bound - sum) - error) * scale, -kFarBound, kFarBound);
 }
 
-/// Of a k-DOP whose bounds are below 2^1000.
+/// Returns the faces of a k-DOP whose bounds are below 2^1000.
 KDopFaces faces_in_range(const KDop<18>& kdop) {
   const LocalFrame frame = LocalFrame::around(
       {{kdop.min[0], kdop.min[1], kdop.min[2]}, {kdop.max[0], kdop.max[1], kdop.max[2]}});
@@ -99,7 +100,8 @@ KDopFaces faces_in_range(const KDop<18>& kdop) {
   for (int i = 0; i < 2 * kSlabs; ++i) {
     FacePolygon polygon(half_spaces[i]);
     for (int j = 0; j < 2 * kSlabs && !polygon.is_empty(); ++j) {
-      // Not by the other bound of its own slab, which it satisfies, however flat the slab.
+      // A face is not clipped by the other bound of its own slab, which it satisfies, however flat
+      // the slab.
       if (j / 2 != i / 2) polygon.clip(half_spaces[j]);
     }
     result.faces[i] = {polygon.area(), half_spaces[i].bound / half_spaces[i].normal.norm()};

@@ -34,7 +34,7 @@ constexpr std::array<SumOfTwo, kSums> sums_of_two() {
 
 constexpr std::array<SumOfTwo, kSums> kSumsOfTwo = sums_of_two();
 
-/// The six sums of a point, rounded, in the order of the slabs.
+/// Writes the six sums of a point, rounded, in the order of the slabs.
 void round_sums(const double* p, double* sums) {
   sums[0] = p[0] + p[1];
   sums[1] = p[0] + p[2];
@@ -44,15 +44,15 @@ void round_sums(const double* p, double* sums) {
   sums[5] = p[1] - p[2];
 }
 
-/// What a + b exceeds its rounded sum by, exactly (Knuth's two-sum).
+/// Returns by how much a + b exceeds its rounded sum, exactly (Knuth's two-sum).
 double rounding_error(double a, double b, double sum) {
   const double b_part = sum - a;
   const double a_part = sum - b_part;
   return (a - a_part) + (b - b_part);
 }
 
-/// Rounding to the nearest keeps order: only points whose rounded sum is the extreme can lie beyond
-/// it, and by less than a step.
+/// Moves outward the bounds that a point exceeds. Rounding to the nearest keeps order: only points
+/// whose rounded sum is the extreme can lie beyond it, and by less than a step.
 void step_outward(KDop<18>& kdop, std::span<const Eigen::Vector3d> points) {
   bool exceeds_low[kSums] = {};
   bool exceeds_high[kSums] = {};

@@ -10,7 +10,7 @@ namespace {
 constexpr std::size_t kLanes = LocalPoints::kLanes;
 constexpr std::size_t kBlock = 16 * kLanes;
 
-/// The largest squared distance from c of points [begin, end), a whole number of lanes.
+/// Returns the largest squared distance from c of points [begin, end), a whole number of lanes.
 double largest_squared_distance(const LocalPoints& points, const double* c, std::size_t begin,
                                 std::size_t end) {
   const double* x = points.axis(0);
@@ -75,7 +75,7 @@ FarPoint farthest_point(const LocalPoints& points, const Eigen::Vector3d& centre
       best_block = begin;
     }
   }
-  // Found again by the same operations, so that it compares equal.
+  // The point is found again by the same operations, so that its distance compares equal.
   for (std::size_t i = best_block;; ++i) {
     const double dx = points.axis(0)[i] - c[0];
     const double dy = points.axis(1)[i] - c[1];

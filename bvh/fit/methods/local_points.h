@@ -21,23 +21,24 @@ class LocalPoints {
 
   std::size_t size() const { return size_; }
 
-  /// All points are one.
+  /// True if all points are one.
   bool is_single() const { return bounds_.min == bounds_.max; }
 
   const Aabb& bounds() const { return bounds_; }
   const LocalFrame& frame() const { return frame_; }
 
-  /// The coordinates k of all points, and up to a multiple of kLanes of the last point again.
+  /// Returns the coordinates k of all points, and up to a multiple of kLanes of the last point
+  /// again.
   const double* axis(int k) const { return coordinates_.get() + k * padded_; }
   std::size_t padded_size() const { return padded_; }
   static constexpr std::size_t kLanes = 4;
 
   Eigen::Vector3d point(std::size_t i) const { return {axis(0)[i], axis(1)[i], axis(2)[i]}; }
 
-  /// Local coordinates of a point, rounded.
+  /// Returns the local coordinates of a point, rounded.
   Eigen::Vector3d to_local(const Eigen::Vector3d& point) const;
 
-  /// The way back, rounded; infinite where it overflows.
+  /// Returns the point of local coordinates, rounded; infinite where it overflows.
   Eigen::Vector3d to_world(const Eigen::Vector3d& local) const;
 
  private:
@@ -55,7 +56,7 @@ struct FarPoint {
   double squared_distance;
 };
 
-/// The first of the points that are farthest from `centre`, given in local coordinates.
+/// Returns the first of the points that are farthest from `centre`, given in local coordinates.
 FarPoint farthest_point(const LocalPoints& points, const Eigen::Vector3d& centre);
 
 }  // namespace graze::bvh

@@ -46,8 +46,8 @@ double surface(const Sphere& sphere) {
       [&]() -> double { return 4 * std::numbers::pi * sphere.radius * sphere.radius; });
 }
 
-// The divergence theorem for the field x / 3: a face of area a at distance d from the origin, along
-// its outer normal, adds a d / 3.
+// This is the divergence theorem for the field x / 3: a face of area a at distance d from the
+// origin, along its outer normal, adds a d / 3.
 double volume(const KDop<18>& kdop) {
   return bvh::in_standard_arithmetic([&]() -> double {
     const bvh::KDopFaces faces = bvh::faces_of(kdop);

@@ -3,7 +3,8 @@
 
 namespace graze::bvh {
 
-// About the mean, so that thin sets far from the middle of their bounds keep their digits.
+// It is taken about the mean, so that thin sets far from the middle of their bounds keep their
+// digits.
 Eigen::Matrix3d covariance(const LocalPoints& points) {
   double mean[3] = {0, 0, 0};
   for (int k = 0; k < 3; ++k) {
@@ -30,7 +31,7 @@ Eigen::Matrix3d covariance(const LocalPoints& points) {
 
 Axes principal_axes(const Eigen::Matrix3d& covariance) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance);
-  // The least spread last: of the three directions the first is known best.
+  // The direction of least spread comes last: of the three the first is known best.
   return axes_along(solver.eigenvectors().col(2), solver.eigenvectors().col(1));
 }
 

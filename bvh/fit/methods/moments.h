@@ -5,10 +5,10 @@
 
 namespace graze::bvh {
 
-/// The covariance of the points in local units: symmetric, not negative.
+/// Returns the covariance of the points in local units: symmetric, not negative.
 Eigen::Matrix3d covariance(const LocalPoints& points);
 
-/// The eigenvectors of a covariance, as a frame.
+/// Returns the eigenvectors of a covariance, as a frame.
 Axes principal_axes(const Eigen::Matrix3d& covariance);
 
 }  // namespace graze::bvh

@@ -13,7 +13,7 @@ namespace {
 using bvh::Axes;
 using bvh::LocalPoints;
 
-/// Turned about axis k to the smallest rectangle around the shadow along it.
+/// Returns the axes turned about axis k to the smallest rectangle around the shadow along it.
 Axes turned(const Axes& axes, int k, const LocalPoints& points) {
   const Eigen::Vector3d u = axes.col((k + 1) % 3);
   const Eigen::Vector3d v = axes.col((k + 2) % 3);

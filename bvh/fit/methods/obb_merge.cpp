@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kLeast = std::numeric_limits<double>::denorm_min();
 
-/// The eight corners t + R y, rounded.
+/// Writes the eight corners t + R y, rounded.
 void write_corners(const Obb& box, Eigen::Vector3d* corners) {
   for (int i = 0; i < 8; ++i) {
     Eigen::Vector3d y = box.half_extents;
@@ -27,14 +27,14 @@ void write_corners(const Obb& box, Eigen::Vector3d* corners) {
   }
 }
 
-/// What the half extents of the box around the rounded corners lack. Let u = 2^-53, e the largest
-/// deviation of the three rotations, S the sum of all half extents, T the largest coordinate of the
-/// two centres. A corner rounds by at most 4.1 u (T + 1.01 S) in each coordinate, which moves it by
-/// less than 8 u (T + S) along any axis of the new box. A point that law 3 finds in one of the
-/// boxes lies within (1.01 e + 9 u) S of it in each of its coordinates (box_frame.cpp derives
-/// that), below 1.9 times this along an axis of the new box, whose own law 3 takes as much once
-/// more. The deviations are computed with errors below 4 u. All of it is below 2 (e + 32 u) S + 16
-/// u T and some denormals.
+/// Returns what the half extents of the box around the rounded corners lack. Let u = 2^-53, e the
+/// largest deviation of the three rotations, S the sum of all half extents, T the largest
+/// coordinate of the two centres. A corner rounds by at most 4.1 u (T + 1.01 S) in each coordinate,
+/// which moves it by less than 8 u (T + S) along any axis of the new box. A point that law 3 finds
+/// in one of the boxes lies within (1.01 e + 9 u) S of it in each of its coordinates (box_frame.cpp
+/// derives that), below 1.9 times this along an axis of the new box, whose own law 3 takes as much
+/// once more. The deviations are computed with errors below 4 u. All of it is below 2 (e + 32 u) S
+/// + 16 u T and some denormals.
 double margin(const Obb& box_a, const Obb& box_b, const Obb& fitted) {
   const double deviation = rotation_deviation(box_a.pose) + rotation_deviation(box_b.pose) +
                            rotation_deviation(fitted.pose);

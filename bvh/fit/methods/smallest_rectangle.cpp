@@ -13,8 +13,9 @@ double cross(const PlanePoint& o, const PlanePoint& a, const PlanePoint& b) {
   return (a.x - o.x) * (b.y - o.y) - (a.y - o.y) * (b.x - o.x);
 }
 
-/// The corners of the convex hull, counterclockwise (Andrew's monotone chain). Rounding may drop a
-/// corner that is nearly straight: whoever uses the rectangle's direction covers all points anyway.
+/// Returns the corners of the convex hull, counterclockwise (Andrew's monotone chain). Rounding may
+/// drop a corner that is nearly straight: whoever uses the rectangle's direction covers all points
+/// anyway.
 Polygon convex_hull(Polygon& points) {
   std::sort(points.begin(), points.end(), [](const PlanePoint& a, const PlanePoint& b) {
     return a.x < b.x || (a.x == b.x && a.y < b.y);

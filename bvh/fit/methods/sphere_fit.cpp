@@ -33,13 +33,13 @@ NamedBall ball_around(const LocalPoints& points, const Eigen::Vector3d& local_ce
   return {centre, bvh::farthest_point(points, points.to_local(centre)).squared_distance};
 }
 
-/// The radius, rounded up. Let u = 2^-53 and H the largest local coordinate, which the radius is
-/// at least. Point and centre are rounded on their way into the frame, by at most u H in each
-/// coordinate, and their difference d by u d: together they move the offset of the point by no more
-/// than sqrt(3) 2 u H + u |d|, below 4.5 u of the radius. Squares, sums and root lose another 3.5 u
-/// (three roundings of a square, halved, the root's and one for second order), and the product
-/// below u. That is 9 u of the 16 u that are added. The scaling by a power of two is exact, but
-/// where it ends in denormals: there it is looked at.
+/// Returns the radius, rounded up. Let u = 2^-53 and H the largest local coordinate, which the
+/// radius is at least. Point and centre are rounded on their way into the frame, by at most u H in
+/// each coordinate, and their difference d by u d: together they move the offset of the point by no
+/// more than sqrt(3) 2 u H + u |d|, below 4.5 u of the radius. Squares, sums and root lose another
+/// 3.5 u (three roundings of a square, halved, the root's and one for second order), and the
+/// product below u. That is 9 u of the 16 u that are added. The scaling by a power of two is exact,
+/// but where it ends in denormals: there it is looked at.
 double rounded_up_radius(const LocalPoints& points, double squared_radius) {
   const double local = std::sqrt(squared_radius) * (1 + 0x1p-49);
   double radius = std::ldexp(local, points.frame().exponent);
@@ -54,8 +54,8 @@ Sphere to_sphere(const LocalPoints& points, const NamedBall& ball) {
   return {ball.centre, rounded_up_radius(points, ball.squared_radius)};
 }
 
-/// Ritter's centre: the ball over the widest of the three extremal pairs grows towards each point
-/// outside, just far enough.
+/// Returns Ritter's centre: the ball over the widest of the three extremal pairs grows towards each
+/// point outside, just far enough.
 Eigen::Vector3d ritter_centre(const LocalPoints& points, std::span<const ExtremalPair> extremal) {
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();
   double squared = -1;
@@ -83,9 +83,9 @@ Eigen::Vector3d ritter_centre(const LocalPoints& points, std::span<const Extrema
   return centre;
 }
 
-/// The centre of the smallest ball: the smallest ball around a few of the points takes in the point
-/// that is farthest outside, until none is. Each step finds a new point, so it ends; in practice
-/// after about five.
+/// Returns the centre of the smallest ball: the smallest ball around a few of the points takes in
+/// the point that is farthest outside, until none is. Each step finds a new point, so it ends; in
+/// practice after about five.
 Eigen::Vector3d minimal_centre(const LocalPoints& points, std::span<const ExtremalPair> extremal,
                                const FarPoint& far_from_ritter) {
   std::vector<std::size_t> indices{far_from_ritter.index};

@@ -25,9 +25,9 @@ class MergeUnit {
 
   double to_local(double radius) const { return half_ * radius * scale_; }
 
-  /// The distance, rounded up. With u = 2^-53: the differences lose u, squares, sums and root 3.5
-  /// u, the product u, of the 8 u that are added. Squares may underflow if all differences are
-  /// below 2^-500.
+  /// Returns the distance, rounded up. With u = 2^-53 the differences lose u, squares, sums and
+  /// root 3.5 u, the product u, of the 8 u that are added. Squares may underflow if all differences
+  /// are below 2^-500.
   double distance_above(const Eigen::Vector3d& a, const Eigen::Vector3d& b) const {
     if (a == b) return 0;
     double square = 0;
@@ -38,7 +38,7 @@ class MergeUnit {
     return square < 0x1p-1000 ? 0x1p-499 : std::sqrt(square) * (1 + 0x1p-50);
   }
 
-  /// The way back from a radius, rounded up.
+  /// Returns the radius in the units of the spheres, rounded up.
   double to_world_above(double local) const {
     double radius = std::ldexp(local, exponent_) / half_;
     if (std::ldexp(half_ * radius, -exponent_) < local) {
@@ -52,7 +52,7 @@ class MergeUnit {
     return half_ * b.data()[k] - half_ * a.data()[k];
   }
 
-  double half_ = 1;  // 0.5 if a difference of coordinates overflows
+  double half_ = 1;  ///< 0.5 if a difference of coordinates overflows
   int exponent_;
   double scale_;
 };

@@ -84,7 +84,7 @@ class Pivot {
   double best_squared_ = 0;
 };
 
-/// Index and square of the distance of the point farthest from `centre`.
+/// Returns the index and the square of the distance of the point farthest from `centre`.
 std::pair<std::size_t, double> farthest(std::span<const Eigen::Vector3d> points,
                                         const Eigen::Vector3d& centre) {
   std::pair<std::size_t, double> best{0, -1};

@@ -1,6 +1,6 @@
-// Which pairs of a front are due in a pass: those whose budget is spent and that no plane keeps out
-// any more; and how much motion the planes of the others outlast. Included once for each SIMD
-// target.
+// This tells which pairs of a front are due in a pass, those whose budget is spent and that no
+// plane keeps out any more, and how much motion the planes of the others outlast. It is included
+// once for each SIMD target.
 
 #if defined(GRAZE_BVH_FRONT_DUE) == defined(HWY_TARGET_TOGGLE)
 #ifdef GRAZE_BVH_FRONT_DUE
@@ -32,7 +32,8 @@ inline constexpr float kReciprocalError = 1 - kEstimateError;
 
 /// A displacement that is linear in the point, column by column.
 struct alignas(16) DisplacementColumns {
-  float column[4][4];  ///< three of the rotation's change and the translation; the rest is 0
+  float column[4][4];  ///< three columns for the change of the rotation, one for the translation's;
+                       ///< the rest is 0
 
   HWY_INLINE void set(const QueryDisplacement& displacement, float scale) {
     for (int i = 0; i < 3; ++i) {
@@ -44,7 +45,7 @@ struct alignas(16) DisplacementColumns {
       c[3] = 0;
   }
 
-  /// The displacement of a point.
+  /// Computes the displacement of a point.
   HWY_INLINE void move(const float (&point)[3], float (&displaced)[4]) const {
     const FourTag tag;
     for (std::size_t part = 0; part < 4; part += hn::Lanes(tag)) {
@@ -56,8 +57,9 @@ struct alignas(16) DisplacementColumns {
   }
 };
 
-/// The outlook of one pass: what the planes of a front prove in its poses, of the query boxes that
-/// are tested against the nodes of one side, and how much motion these proofs outlast.
+/// The outlook of one pass for one side: it computes what the planes of a front prove in its poses,
+/// of the query boxes that are tested against the nodes of one side, and how much motion these
+/// proofs outlast.
 template <FrontKind kind>
 class FrontOutlook {
  public:
@@ -77,7 +79,7 @@ class FrontOutlook {
     rate_of_errors_ = 2 * prediction.error * pass.per_distance * kRoundUp + pass.deviation;
   }
 
-  /// The least of the gaps that planes prove now.
+  /// Returns the least of the gaps that planes prove now.
   template <std::size_t lanes>
   HWY_INLINE float gap(const Planes<lanes>& planes) const {
     const hn::CappedTag<float, lanes> tag;
@@ -89,7 +91,8 @@ class FrontOutlook {
     return hn::GetLane(hn::MinOfLanes(tag, least)) * kRoundPlanes;
   }
 
-  /// How much motion may still be spent while all of these gaps stay above 0 (front_planes.h).
+  /// Returns how much motion may still be spent while all of these gaps stay above 0
+  /// (front_planes.h).
   template <std::size_t lanes>
   HWY_INLINE float motion_left(const Planes<lanes>& planes) const {
     if (!is_predicted_) return gap(planes);
@@ -144,15 +147,15 @@ class FrontOutlook {
   }
 
  private:
-  /// How fast gaps of a query box close on its predicted motion: by so much at most for each unit
-  /// of the motion spent.
+  /// Says how fast gaps of a query box close on its predicted motion: by so much at most for each
+  /// unit of the motion spent.
   template <typename AnyTag>
   struct ClosingRate {
     using Values = hn::Vec<AnyTag>;
 
-    Values back[3];  ///< of the middle of the query box, against each axis
-    Values all;      ///< of rotation and of rounding, along any direction
-    Values least;    ///< of the deviation from the predicted motion
+    Values back[3];  ///< the rate of the query box's middle, against each axis
+    Values all;      ///< the rate of rotation and of rounding, along any direction
+    Values least;    ///< the rate of the deviation from the predicted motion
 
     HWY_INLINE Values motion_left(Values gap, const Values (&normal)[3]) const {
       auto rate = hn::MulAdd(normal[0], back[0], all);
@@ -176,7 +179,7 @@ class FrontOutlook {
     return closing_rate;
   }
 
-  /// Reads the normals, too.
+  /// Returns the gaps that planes prove now, and reads their normals.
   template <typename AnyTag, std::size_t lanes>
   HWY_INLINE hn::Vec<AnyTag> gaps(AnyTag tag, const Planes<lanes>& planes, std::size_t lane,
                                   hn::Vec<AnyTag> (&normal)[3]) const {
@@ -194,20 +197,21 @@ class FrontOutlook {
   float rotation_sum_;
   float error_;
   float deviation_;
-  float rate_by_radius_;  ///< of closing by rotation, for each unit of a query box's radius
-  float rate_of_errors_;  ///< of closing by what the prediction is off by
+  float rate_by_radius_;  ///< the rate of closing by rotation, for each unit of a query box's
+                          ///< radius
+  float rate_of_errors_;  ///< the rate of closing by what the prediction is off by
   bool is_predicted_;
 };
 
-/// The budget of a pair that a pass must look at, and of one that no motion makes due.
+/// The budgets of a pair that a pass must look at, and of one that no motion makes due.
 inline constexpr float kDueNow = -std::numeric_limits<float>::infinity();
 inline constexpr float kNever = std::numeric_limits<float>::infinity();
 
-/// How many leaves, and planes, are fetched ahead of the one that is looked at.
+/// The numbers of leaves, and of planes, that are fetched ahead of the one that is looked at.
 inline constexpr std::size_t kAhead = 6;
 inline constexpr std::size_t kPlanesAhead = 16;
 
-/// The first if `is_first` is 1, the second if it is 0, without a branch.
+/// Returns the first value if `is_first` is 1, the second if it is 0, without a branch.
 HWY_INLINE float chosen(std::uint32_t is_first, float first, float second) {
   const auto other = std::bit_cast<std::uint32_t>(second);
   const std::uint32_t change = std::bit_cast<std::uint32_t>(first) ^ other;
@@ -223,7 +227,7 @@ HWY_INLINE WideFront::Planes<FrontKind::Distance>& planes_of(
   return state.distance;
 }
 
-/// Which pairs of a front are due in a pass, and new budgets for the others.
+/// Finds which pairs of a front are due in a pass, and new budgets for the others.
 template <FrontKind kind>
 class FrontDue {
  protected:
@@ -242,9 +246,10 @@ class FrontDue {
       outlook_[side].set(pass, side);
   }
 
-  /// Lists at the front of state_.due what has to be looked at again, and returns how many these
-  /// are: what is due by its budget, but not what its planes still keep out, which gets a later
-  /// budget. There are no branches but the loops, because nothing of it can be predicted.
+  /// Lists at the front of state_.due the pairs that have to be looked at again, and returns how
+  /// many these are: those that are due by their budgets, but not those that their planes still
+  /// keep out, which get later budgets. There are no branches but the loops, because nothing of it
+  /// can be predicted.
   template <typename Planes>
   HWY_NOINLINE std::size_t find_due(const std::vector<Planes>& planes,
                                     std::vector<float>& budgets) const {
@@ -296,7 +301,7 @@ class FrontDue {
   }
 
   float budget_after(float motion_left) const {
-    // Rounded down: the sum is not negative where it matters.
+    // The sum is rounded down: it is not negative where it matters.
     return (spent_ + motion_left) * kRoundDown;
   }
 
@@ -319,7 +324,7 @@ class FrontDue {
   FrontHorizon required_;
   FrontHorizon look_ahead_;
   float spent_;         ///< the motion spent, rounded down
-  Outlook outlook_[2];  ///< by the side of the tested node
+  Outlook outlook_[2];  ///< the outlook for each side of the tested node
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
-// The leaves of a front in a pass: which of their primitives meet, and how far apart the others are
-// at least, along which direction. Included once for each SIMD target.
+// This compares the leaves of a front in a pass: which of their primitives meet, and how far apart
+// the others are at least, along which direction. It is included once for each SIMD target.
 
 #if defined(GRAZE_BVH_FRONT_LEAVES) == defined(HWY_TARGET_TOGGLE)
 #ifdef GRAZE_BVH_FRONT_LEAVES
@@ -20,12 +20,12 @@ HWY_BEFORE_NAMESPACE();
 namespace graze::bvh::HWY_NAMESPACE {
 namespace {
 
-/// Of gaps along any vector, for each unit of its 1-norm: how many errors of differences of
-/// corners, and of their extent.
+/// A gap along any vector, for each unit of its 1-norm, may be off by so many errors of differences
+/// of corners, and by so much of their extent.
 inline constexpr float kAlongError = 5;
 inline constexpr float kAlongRounding = 0x1p-20f;
 
-/// Some pairs of primitives of two leaves, off by `error`.
+/// The gaps between some pairs of primitives of two leaves, off by `error`.
 template <typename AnyTag>
 class PrimitiveGaps {
  public:
@@ -56,12 +56,12 @@ class PrimitiveGaps {
     best_.consider_sum(square, apart);
   }
 
-  /// The planes and cross products that tell primitives apart.
+  /// Looks along the planes and cross products that tell primitives apart.
   HWY_INLINE void look_at(const LeafCrossings<AnyTag>& crossings) {
     const AnyTag tag;
     consider(crossings.is_query_beyond, crossings.query_sides.beyond, crossings.normals.tested,
              crossings.query_sides.is_negative[0]);
-    // What is above a query box has the query box below it.
+    // A tested primitive that is above a query primitive has that below it.
     consider(crossings.is_tested_beyond, crossings.tested_sides.beyond, crossings.normals.query,
              hn::Not(crossings.tested_sides.is_negative[0]));
     const Values margin = crossings.errors.of_sides();
@@ -71,7 +71,8 @@ class PrimitiveGaps {
     }
   }
 
-  /// Along cross products of all edges: what straddles a plane may touch it, and is not known to.
+  /// Looks along cross products of all edges: what straddles a plane may touch it, and is not known
+  /// to.
   HWY_INLINE void look_across() {
     const AnyTag tag;
     // With L the extent and delta the error: corners of the tested node are off by delta, of the
@@ -102,7 +103,7 @@ class PrimitiveGaps {
     }
   }
 
-  /// Whether anything was found.
+  /// Returns the lanes in which a gap was found.
   HWY_INLINE hn::Mask<AnyTag> are_apart() const { return best_.is_any(); }
 
   HWY_INLINE void look_along(const float (&direction)[3]) {
@@ -125,7 +126,7 @@ class PrimitiveGaps {
     best_.consider(known(tag, gap), hn::Set(tag, 1.0f), normal);
   }
 
-  /// As in BoxGaps, from `lane` on.
+  /// Stores what was found from `lane` on, as BoxGaps does.
   template <FrontKind kind>
   HWY_INLINE void store(FrontPlanes<kLeafPairs, kind>& planes, FoundPlanes<kLeafPairs>& found,
                         std::size_t lane, float unit_of_tested) const {
@@ -136,7 +137,7 @@ class PrimitiveGaps {
   }
 
  private:
-  /// Which of the triangles is beyond the other along this vector, or against it.
+  /// Considers which of the triangles is beyond the other along this vector, or against it.
   HWY_INLINE void consider_between(const Values (&tested)[3][3], const Values (&query)[3][3],
                                    const Values (&n)[3], Values bound) {
     const AnyTag tag;
@@ -174,8 +175,8 @@ class PrimitiveGaps {
   BestGap<AnyTag> best_;
 };
 
-/// What a pass does with the leaves of a front: it finds which of their primitives meet, or are
-/// near, and planes that keep the others apart.
+/// The part of a pass that deals with the leaves of a front: it finds which of their primitives
+/// meet, or are near, and planes that keep the others apart.
 template <FrontKind kind>
 class FrontLeaves : protected FrontDue<kind> {
  protected:
@@ -194,7 +195,7 @@ class FrontLeaves : protected FrontDue<kind> {
   FrontLeaves(WideFront::State& state, const WideFront::Pass& pass, const FrontTask& task)
       : Base(state, pass, task), leaves_(*state.tree[0], *state.tree[1]) {}
 
-  /// Compares leaves that are due: which of their primitives may be within the limit.
+  /// Compares leaves that are due: it finds which of their primitives may be within the limit.
   HWY_INLINE void compare_due_leaves() {
     const std::size_t near = find_due(planes_.of_leaves, state_.leaves_budgets);
     state_.looked_at += near;
@@ -202,8 +203,8 @@ class FrontLeaves : protected FrontDue<kind> {
       compare_leaves(state_.due[i]);
   }
 
-  /// Decides which primitives of leaves that are busy or due meet. In which leaves some do cannot
-  /// be predicted, so that no branch depends on it.
+  /// Decides which primitives of leaves that are busy or due meet. It cannot be predicted in which
+  /// leaves some do, so that no branch depends on it.
   HWY_INLINE void decide_leaves() {
     state_.crossing.size = 0;
     state_.unsure.size = 0;
@@ -277,7 +278,7 @@ class FrontLeaves : protected FrontDue<kind> {
       }
       const typename Outlook::Nearness found =
           outlook_[leaves.tested_side].keep(planes, gaps, asked, required_.limit);
-      // What planes keep apart does not meet, be it unsure or not.
+      // Primitives that planes keep apart do not meet, be they unsure or not.
       list(index, found.near, met);
       const std::uint32_t is_busy = found.near != 0;
       state_.leaves_budgets[index] = chosen(is_busy, kNever, budget_after(found.motion_left));
@@ -288,7 +289,7 @@ class FrontLeaves : protected FrontDue<kind> {
   }
 
  private:
-  /// Leaves of large meshes are not in the cache.
+  /// Fetches two leaves: those of large meshes are not in the cache.
   HWY_INLINE void fetch_leaves(std::size_t index) const {
     const WideFront::Leaves& leaves = state_.leaves[index];
     fetch_leaf(leaves.tested_side, leaves.tested);
@@ -321,7 +322,7 @@ class FrontLeaves : protected FrontDue<kind> {
     }
   }
 
-  /// Which pairs of two leaves surely cross, and which are surely apart.
+  /// The pairs of two leaves that surely cross, and those that are surely apart, as bits.
   struct Meetings {
     std::uint32_t crossing = 0;
     std::uint32_t apart = 0;

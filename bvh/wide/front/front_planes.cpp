@@ -83,7 +83,8 @@ double MotionPrediction::QueryTree::deviation(const RelativeFrame& before, const
     }
     turned += half[j] * std::sqrt(square);
   }
-  // As in engine/mesh/memory/pair_cache.cpp, with differences of what is itself rounded.
+  // These bounds are as in engine/mesh/memory/pair_cache.cpp, with differences of what is itself
+  // rounded.
   const double along = std::sqrt(off[0] * off[0] + off[1] * off[1] + off[2] * off[2]);
   return (along + turned) * (1 + 0x1p-40) + 0x1p-48 * sizes + 0x1p-500;
 }
@@ -113,7 +114,7 @@ QueryBall::QueryBall(const WideChildRef& child, float units, int side_of_tested)
     centre[i] = middle * units;
     square += node.half[i][lane] * node.half[i][lane];
   }
-  // Axes that are at right angles and of length 1 but for 2.01 u, and a root; the centre, which is
+  // The axes are at right angles and of length 1 but for 2.01 u, and a root is taken; the centre is
   // off by less than 8 u of what it adds up.
   const float radius = (std::sqrt(square) * (1 + 0x1p-18f) + sizes * 0x1p-20f + 0x1p-60f) * units;
   constexpr std::uint32_t kLowerHalf = 0xffff;

@@ -9,9 +9,10 @@
 #include <cstdint>
 #include <limits>
 
-// How a gap along a direction n changes with the pose: the bound of motion that decides when a pair
-// of a front has to be compared again. It stands in for the failure time of a certificate in a
-// kinetic data structure (Basch, Guibas and Hershberger, "Data structures for mobile data", 1999).
+// This derives how a gap along a direction n changes with the pose: the bound of motion that
+// decides when a pair of a front has to be compared again. It stands in for the failure time of a
+// certificate in a kinetic data structure (Basch, Guibas and Hershberger, "Data structures for
+// mobile data", 1999).
 //
 // In the frame of the tested node's tree, in common units,
 // a point b of the query box lies at R b + t in one pose and at S b + v in another. If all b of a
@@ -36,41 +37,45 @@
 
 namespace graze::bvh {
 
-/// How the points of query boxes are displaced between two poses, in the frame of the tested nodes'
-/// tree: b by rotation_change * b + translation_change, in common units.
+/// Says how the points of query boxes are displaced between two poses, in the frame of the tested
+/// nodes' tree: b by rotation_change * b + translation_change, in common units.
 struct QueryDisplacement {
   float rotation_change[3][3] = {};  ///< the change of the rotation
   float translation_change[3] = {};  ///< the change of the translation
   float rotation_sum = 0;  ///< the sum of all changes of the rotation on the way, as lengths
-  float error = 0;         ///< of n . u for any point of the query boxes' tree, whatever rounds
+  float error = 0;         ///< the error of n . u for any point of the query boxes' tree, whatever
+                           ///< rounds
 
   QueryDisplacement() = default;
 
-  /// From `first` to `now`, which are frames of the tree `query` in that of the tested nodes.
+  /// Computes the displacement from `first` to `now`, which are frames of the tree `query` in that
+  /// of the tested nodes.
   QueryDisplacement(const RelativeFrame& first, const RelativeFrame& now, const WideTree& query,
                     double all_changes);
 };
 
-/// How far a query box may deviate from its predicted motion, for each unit of the motion spent.
+/// A query box may deviate from its predicted motion by so much for each unit of the motion spent.
 inline constexpr float kDeviation = 0.0625f;
 
-/// How query boxes of both trees, in the frames of their tested nodes, are expected to go on.
+/// Predicts how query boxes of both trees, in the frames of their tested nodes, go on.
 class MotionPrediction {
  public:
   MotionPrediction() = default;
 
-  /// As they came from one pair of frames, of B in A and of A in B, to another, while no point of B
-  /// came further than `distance` and its rotation changed by `rotation_change`.
+  /// Predicts that they go on as they came from one pair of frames, of B in A and of A in B, to
+  /// another, while no point of B came further than `distance` and its rotation changed by
+  /// `rotation_change`.
   MotionPrediction(const RelativeFrame (&before)[2], const RelativeFrame (&now)[2],
                    const WideTree& tree_a, const WideTree& tree_b, double distance,
                    double rotation_change);
 
-  /// The most by which any point of either query box deviated from the prediction between these
-  /// frames, while B came as far as `distance`.
+  /// Returns the most by which any point of either query box deviated from the prediction between
+  /// these frames, while B came as far as `distance`.
   double deviation(const RelativeFrame (&before)[2], const RelativeFrame (&now)[2],
                    double distance) const;
 
-  /// The displacement that query boxes are predicted to repeat, in the frame of the tested tree.
+  /// Returns the displacement that query boxes are predicted to repeat, in the frame of the tested
+  /// tree.
   const QueryDisplacement& displacement(int tested_side) const {
     return displacement_[tested_side];
   }
@@ -78,17 +83,18 @@ class MotionPrediction {
 
  private:
   struct QueryTree {
-    double rotation[3][3] = {};  ///< the change of it that is predicted
-    double translation[3] = {};  ///< likewise
-    double middle[3] = {};       ///< of the box of everything, common units
+    double rotation[3][3] = {};  ///< the predicted change of the rotation
+    double translation[3] = {};  ///< the predicted change of the translation
+    double middle[3] = {};       ///< the middle of the box of everything, common units
     double half[3] = {};
 
     double deviation(const RelativeFrame& before, const RelativeFrame& now, double share) const;
   };
 
-  QueryTree query_trees_[2];           ///< by the side of the tested node
-  QueryDisplacement displacement_[2];  ///< likewise
-  double distance_ = 1;                ///< by which B came with it
+  QueryTree query_trees_[2];           ///< the tree of the query boxes for each side of the tested
+                                       ///< node
+  QueryDisplacement displacement_[2];  ///< the predicted displacement, likewise
+  double distance_ = 1;                ///< how far B came with it
 };
 
 /// The ball around a query box, in the frame of its own tree and in common units.
@@ -110,7 +116,7 @@ inline constexpr float kRoundPlanes = 1 - 0x1p-20f;
 /// A number rounded to float and multiplied by this is no larger than it was before.
 inline constexpr float kRoundDown = 1 - 0x1p-22f;
 
-/// How far the middle of a query box has come since begin().
+/// Computes how far the middle of a query box has come since begin().
 inline void set_displacement(float (&displaced)[3], const QueryBall& query,
                              const QueryDisplacement& displacement) {
   for (int i = 0; i < 3; ++i) {
@@ -128,27 +134,28 @@ struct FrontPlane {
 
   FrontPlane() = default;
 
-  /// The query box is `gap_now` beyond the tested node, after this displacement.
+  /// Takes a query box that is `gap_now` beyond the tested node, after this displacement.
   FrontPlane(const double (&direction)[3], double gap_now, const QueryBall& query,
              const QueryDisplacement& displacement);
 
-  /// The least gap along the normal after another displacement.
+  /// Returns the least gap along the normal after another displacement.
   float gap_after(const QueryBall& query, const QueryDisplacement& displacement) const;
 };
 
-/// What a front is for: its planes prove that pairs are apart at all, or also how far.
+/// The purposes of a front: its planes prove that pairs are apart at all, or also how far.
 enum class FrontKind { Intersection, Distance };
 
-/// What keeps pairs out: lane by lane a direction in the tested node's frame, no longer than 1 but
-/// for rounding, which kRoundPlanes covers, and how far beyond the tested node a query box is
-/// along it. Gaps are those of the pose at begin(), but for what turning may have cost; infinite in
-/// lanes that need no plane. Nothing is kept out at first.
+/// The planes that keep pairs out: lane by lane a direction in the tested node's frame, no longer
+/// than 1 but for rounding, which kRoundPlanes covers, and how far beyond the tested node a query
+/// box is along it. Gaps are those of the pose at begin(), but for what turning may have cost; they
+/// are infinite in lanes that need no plane. Nothing is kept out at first.
 template <std::size_t lanes, FrontKind kind>
 struct FrontPlanes;
 
-/// A pass reads thousands of these, in no order, so that they had better be few cache lines.
-/// Components of normals are whole numbers of kUnit, in 16 bits. A normal is made kLength units
-/// long before it is rounded, a little less than 1, so that afterwards none is longer than 1.
+/// The planes that tell whether pairs are apart. A pass reads thousands of these, in no order, so
+/// that they had better be few cache lines. Components of normals are whole numbers of kUnit, in 16
+/// bits. A normal is made kLength units long before it is rounded, a little less than 1, so that
+/// afterwards none is longer than 1.
 template <std::size_t lanes>
 struct alignas(4 * lanes) FrontPlanes<lanes, FrontKind::Intersection> {
   static constexpr float kUnit = 0x1p-15f;
@@ -163,8 +170,9 @@ struct alignas(4 * lanes) FrontPlanes<lanes, FrontKind::Intersection> {
   }
 };
 
-/// The nearest pair is looked for among pairs that are nearly as far apart, so that rounding must
-/// cost far less than a thousandth of a gap: normals are floats.
+/// The planes that tell how far pairs are apart. The nearest pair is looked for among pairs that
+/// are nearly as far apart, so that rounding must cost far less than a thousandth of a gap: normals
+/// are floats.
 template <std::size_t lanes>
 struct alignas(4 * lanes) FrontPlanes<lanes, FrontKind::Distance> {
   static constexpr float kUnit = 1;

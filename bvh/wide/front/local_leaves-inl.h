@@ -1,5 +1,5 @@
-// The primitives of two leaves, one of each tree, in coordinates as small as they are themselves.
-// Included once for each SIMD target.
+// This puts the primitives of two leaves, one of each tree, into coordinates as small as they are
+// themselves. It is included once for each SIMD target.
 //
 // A primitive is stored as two edges from its first corner, and a pair of primitives as these four
 // and the offset from the tested primitive's first corner to the other's, all in the tested node's
@@ -26,21 +26,22 @@ HWY_BEFORE_NAMESPACE();
 namespace graze::bvh::HWY_NAMESPACE {
 namespace {
 
-/// How far each component is off: of edges of the tested node, of the query box, and of the offset
-/// between first corners, which is off by more than both; infinite where products could overflow.
+/// Says how far each component is off: of edges of the tested node, of the query box, and of the
+/// offset between first corners, which is off by more than both. The errors are infinite where
+/// products could overflow.
 struct LocalErrors {
   float tested;
   float query;
   float offset;
 
-  /// The same for all pairs of two leaves.
+  /// Returns the same errors for all pairs of two leaves.
   template <typename AnyTag>
   HWY_INLINE PairErrors<AnyTag> of_pairs(AnyTag tag) const {
     return {hn::Set(tag, tested), hn::Set(tag, query), hn::Set(tag, offset)};
   }
 };
 
-/// Two leaves beside each other.
+/// Two leaves beside each other, in local coordinates.
 class LocalLeaves {
  public:
   HWY_INLINE LocalLeaves(const WideTree& tree_a, const WideTree& tree_b)
@@ -81,12 +82,12 @@ class LocalLeaves {
                          : std::numeric_limits<float>::infinity();
   }
 
-  /// Which pairs they have.
+  /// Returns the bits of the pairs that they have.
   HWY_INLINE std::uint32_t pairs() const { return pairs_of(tested_count_, query_count_); }
 
   HWY_INLINE const LocalErrors& errors() const { return errors_; }
 
-  /// Coordinate i of corner c of the first primitive.
+  /// Return coordinate i of corner c of the first primitive.
   HWY_INLINE const float* tested_row(std::uint32_t c, std::uint32_t i) const {
     return tested_ + (3 * c + i) * tested_count_;
   }
@@ -96,7 +97,7 @@ class LocalLeaves {
   HWY_INLINE float tested_first(int i) const { return tested_first_[i]; }
   HWY_INLINE float query_first(int i) const { return query_first_[i]; }
 
-  /// From the tested node's first corner to the query box's.
+  /// Returns coordinate i of the offset from the tested node's first corner to the query box's.
   HWY_INLINE float offset(int i) const { return offset_[i]; }
 
   HWY_INLINE const TreeTransform& transform() const { return *transform_; }
@@ -122,11 +123,11 @@ struct LocalPairs : PairEdges<AnyTag> {
   using PairEdges<AnyTag>::query;
   using PairEdges<AnyTag>::tested;
 
-  /// From pair `first` on.
+  /// Reads the pairs from pair `first` on.
   HWY_INLINE LocalPairs(const LocalLeaves& leaves, std::size_t first) {
     const AnyTag tag;
     const PairLanes<AnyTag> lanes(first);
-    Values turned[3][3];  // what is to be turned, coordinate by coordinate
+    Values turned[3][3];  // the corners that are to be turned, coordinate by coordinate
     for (std::uint32_t i = 0; i < 3; ++i) {
       const auto p = lanes.tested(leaves.tested_row(0, i));
       const auto q = lanes.query(leaves.query_row(0, i));

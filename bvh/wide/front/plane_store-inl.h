@@ -1,6 +1,6 @@
-// Planes of a front as they are found, stored and read: the largest of several gaps, with the
-// direction along which it is, and what rounding that direction costs. Included once for each SIMD
-// target.
+// This finds, stores and reads the planes of a front: the largest of several gaps, with the
+// direction along which it is, and what rounding that direction costs. It is included once for each
+// SIMD target.
 
 #if defined(GRAZE_BVH_PLANE_STORE) == defined(HWY_TARGET_TOGGLE)
 #ifdef GRAZE_BVH_PLANE_STORE
@@ -16,10 +16,10 @@ HWY_BEFORE_NAMESPACE();
 namespace graze::bvh::HWY_NAMESPACE {
 namespace {
 
-/// What is further counts as so far.
+/// The largest distance that is told apart: what is further counts as so far.
 inline constexpr float kFarthest = 0x1p60f;
 
-/// What estimates of reciprocals and of reciprocal roots are off by at most, on any target.
+/// Estimates of reciprocals and of reciprocal roots are off by at most this, on any target.
 inline constexpr float kEstimateError = 0x1p-7f;
 
 template <typename AnyTag>
@@ -37,21 +37,21 @@ class BestGap {
 
   HWY_INLINE BestGap() : gap_(hn::Zero(AnyTag())), per_length_(gap_), normal_{gap_, gap_, gap_} {}
 
-  /// Along a vector whose length may be anything.
+  /// Considers a gap along a vector whose length may be anything.
   HWY_INLINE void consider_along(Values gap, const Values (&n)[3]) {
     const auto per_length = hn::ApproximateReciprocalSqrt(padded_square(AnyTag(), n));
     consider(hn::Mul(gap, per_length), per_length, n);
   }
 
-  /// Gaps along three directions at right angles, as vectors along these, make a gap along their
-  /// sum.
+  /// Considers gaps along three directions at right angles: as vectors along these, they make a gap
+  /// along their sum.
   HWY_INLINE void consider_sum(Values square, const Values (&sum)[3]) {
     const auto padded = hn::Add(square, hn::Set(AnyTag(), kWideUnderflow));
     const auto per_length = hn::ApproximateReciprocalSqrt(padded);
     consider(hn::Mul(square, per_length), per_length, sum);
   }
 
-  /// Along a vector of a length times `per_length` of 1, or less.
+  /// Considers a gap along a vector whose length times `per_length` is 1, or less.
   HWY_INLINE void consider(Values gap, Values per_length, const Values (&n)[3]) {
     const auto is_better = hn::Gt(gap, gap_);
     gap_ = hn::IfThenElse(is_better, gap, gap_);
@@ -60,10 +60,10 @@ class BestGap {
       normal_[i] = hn::IfThenElse(is_better, n[i], normal_[i]);
   }
 
-  /// Whether anything was found.
+  /// Returns the lanes in which a gap was found.
   HWY_INLINE hn::Mask<AnyTag> is_any() const { return hn::Gt(gap_, hn::Zero(AnyTag())); }
 
-  /// The vector made as long as 1, and the gap along it.
+  /// Writes the vector made as long as 1, and returns the gap along it.
   HWY_INLINE Values normalized(Values (&normal)[3]) const {
     const AnyTag tag;
     const auto per_length = hn::Div(hn::Set(tag, 1.0f), hn::Sqrt(padded_square(tag, normal_)));
@@ -73,8 +73,8 @@ class BestGap {
     return hn::Min(known(tag, gap), hn::Set(tag, kFarthest));
   }
 
-  /// The same with less precision, in less time: no longer than 1, however its length was
-  /// estimated.
+  /// Does the same with less precision, in less time: the vector is no longer than 1, however its
+  /// length was estimated.
   HWY_INLINE Values shortened(Values (&normal)[3]) const {
     const AnyTag tag;
     const auto shorter = hn::Set(tag, 1 - kEstimateError);
@@ -90,14 +90,14 @@ class BestGap {
   Values normal_[3];
 };
 
-/// Covers kBoundGrowth, and the rounding of roots and products.
+/// Gaps are multiplied by this. It covers kBoundGrowth, and the rounding of roots and products.
 inline constexpr float kShrink = 1 - 0x1p-13f;
 
-/// Of how far apart things are, what a direction costs that is rounded after the gap along it was
-/// found: 15 u for the directions of boxes, with the turn to the tree's axes; u = 2^-24.
+/// A direction that is rounded after the gap along it was found costs this share of how far apart
+/// things are: 15 u for the directions of boxes, with the turn to the tree's axes; u = 2^-24.
 inline constexpr float kDirectionError = 0x1p-19f;
 
-/// No less than the root.
+/// Returns a value that is no less than the root.
 template <typename AnyTag>
 HWY_INLINE hn::Vec<AnyTag> root_above(AnyTag tag, hn::Vec<AnyTag> square) {
   const auto padded = hn::Add(square, hn::Set(tag, kWideUnderflow));
@@ -105,8 +105,8 @@ HWY_INLINE hn::Vec<AnyTag> root_above(AnyTag tag, hn::Vec<AnyTag> square) {
                  hn::Set(tag, 1 + 2 * kEstimateError));
 }
 
-/// A gap along a direction that was rounded: less than any motion makes up for where distances are
-/// as large as gaps may be, or overflow.
+/// Returns a gap along a direction that was rounded, or, where distances are as large as gaps may
+/// be or overflow, one that no motion makes up for.
 template <typename AnyTag>
 HWY_INLINE hn::Vec<AnyTag> if_near(AnyTag tag, hn::Vec<AnyTag> gap,
                                    hn::Vec<AnyTag> squared_distance) {
@@ -126,7 +126,7 @@ HWY_INLINE void store_gaps(AnyTag tag, FoundPlanes<lanes>& found, std::size_t la
             found.stored_gap + lane);
 }
 
-/// What a front keeps of gaps where it is to tell whether anything meets.
+/// Stores and reads the planes of a front that is to tell whether anything meets.
 template <FrontKind kind>
 struct PlaneStore;
 
@@ -135,7 +135,7 @@ struct PlaneStore<FrontKind::Intersection> {
   template <std::size_t lanes>
   using Planes = FrontPlanes<lanes, FrontKind::Intersection>;
 
-  /// Normals, in units, and gaps.
+  /// Reads normals, in units, and returns gaps.
   template <typename AnyTag, std::size_t lanes>
   HWY_INLINE static hn::Vec<AnyTag> read(AnyTag tag, const Planes<lanes>& planes, std::size_t lane,
                                          hn::Vec<AnyTag> (&normal)[3]) {
@@ -148,8 +148,9 @@ struct PlaneStore<FrontKind::Intersection> {
     return hn::Load(tag, planes.gap + lane);
   }
 
-  /// From `lane` on: the best that was found, and gaps along that. Points of both are no further
-  /// apart than the root of this square, in the units of the tested node, as gaps are.
+  /// Writes from `lane` on the best direction that was found, and gaps along that. Points of both
+  /// are no further apart than the root of this square, in the units of the tested node, as gaps
+  /// are.
   template <typename AnyTag, std::size_t lanes>
   HWY_INLINE static void write(AnyTag tag, Planes<lanes>& planes, FoundPlanes<lanes>& found,
                                std::size_t lane, hn::Vec<AnyTag> gap,
@@ -181,7 +182,7 @@ struct PlaneStore<FrontKind::Intersection> {
   }
 };
 
-/// Where it is to tell how far things are apart.
+/// Stores and reads the planes of a front that is to tell how far things are apart.
 template <>
 struct PlaneStore<FrontKind::Distance> {
   template <std::size_t lanes>

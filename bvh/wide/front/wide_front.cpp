@@ -6,14 +6,14 @@
 namespace graze::bvh {
 namespace {
 
-/// A predicted motion goes further than that from one pass to the next, because its length is
-/// divided by.
+/// The least distance of a predicted motion from one pass to the next, because the prediction is
+/// divided by it.
 constexpr double kLeastDistance = 0x1p-50;
 
-/// The elements that vectors have room for at first.
+/// The number of elements that vectors have room for at first.
 constexpr std::size_t kFirstSize = 64;
 
-/// Pairs whose budget is no larger are due.
+/// Returns the largest budget that makes a pair due.
 float spent_at(const WideFront::Pass& pass, double limit) {
   return rounded_up(pass.spent + (limit + 2 * pass.slack) / static_cast<double>(pass.deviation));
 }

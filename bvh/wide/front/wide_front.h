@@ -14,8 +14,8 @@
 
 namespace graze::bvh {
 
-/// The front of the bounding volume test tree of two trees, which is where its first pass, from
-/// both roots, ended, kept for the next poses of a motion: front tracking (Li and Chen,
+/// Keeps the front of the bounding volume test tree of two trees, which is where its first pass,
+/// from both roots, ended, for the next poses of a motion: front tracking (Li and Chen,
 /// "Incremental 3D collision detection with hierarchical data structures", 1998; Ehmann and Lin,
 /// "Accurate and fast proximity queries between polyhedra using convex surface decomposition",
 /// 2001; Tang, Manocha, Lin and Tong, "Collision-streams: fast GPU-based collision detection for
@@ -23,12 +23,12 @@ namespace graze::bvh {
 ///
 /// It holds the pairs of a query box and the children of a tested node, the pairs of leaves, and
 /// the pairs of primitives that were compared. Each has planes that kept it out, and a budget: so
-/// much motion, measured from begin() on, cannot make these planes fail. Planes and budgets
-/// are the certificates and failure times of a kinetic data structure (Basch, Guibas and
-/// Hershberger, "Data structures for mobile data", 1999), with bounds of motion in place of known
-/// motions. A pass looks only at pairs whose budget is spent and that no plane keeps out any more,
-/// and opens what has come near. What was opened stays so until begin(), so that the front grows.
-/// Leaves in which primitives meet are busy: each pass decides all their pairs anew.
+/// much motion, measured from begin() on, cannot make these planes fail. Planes and budgets are the
+/// certificates and failure times of a kinetic data structure (Basch, Guibas and Hershberger, "Data
+/// structures for mobile data", 1999), with bounds of motion in place of known motions. A pass
+/// looks only at pairs whose budget is spent and that no plane keeps out any more, and opens what
+/// has come near. What was opened stays so until begin(), so that the front grows. Leaves in which
+/// primitives meet are busy: each pass decides all their pairs anew.
 ///
 /// All lengths are in the common units of both trees. Motions add up: no point of B's box has come
 /// further in A's frame than their sum.
@@ -47,55 +47,61 @@ class WideFront {
     double rotation_change = 0;
   };
 
-  /// The poses of a query, and what it asks: from start_pass().
+  /// The poses of a query, and what it asks. start_pass() makes it.
   struct Pass {
-    /// Looks also for gaps along this direction, from A to B in the frame of A.
+    /// Lets the pass look also for gaps along this direction, from A to B in the frame of A.
     void aim_along(const double (&direction)[3]);
 
     Kind kind;              ///< what the pass is to prove
     double spent = 0;       ///< the motion spent
-    double slack;           ///< of both frames
-    TreeTransform into[2];  ///< by the side of the tested node: of query boxes of the other tree
-    float units[2];         ///< of each tree, in common units
-    float direction[2][3] = {};      ///< in each tree's frame, from it to the other
-    QueryDisplacement since[2];      ///< of query boxes of the other tree, since begin()
+    double slack;           ///< the slack of both frames
+    TreeTransform into[2];  ///< for each side of the tested node, the transform of query boxes of
+                            ///< the other tree
+    float units[2];         ///< the units of each tree, in common units
+    float direction[2][3] = {};      ///< the direction in each tree's frame, from it to the other
+    QueryDisplacement since[2];      ///< the displacement of query boxes of the other tree since
+                                     ///< begin()
     float deviation = 1;             ///< kDeviation if a motion is predicted, else 1
-    QueryDisplacement predicted[2];  ///< that query boxes of the other tree are predicted to repeat
-    float per_distance = 0;          ///< 1 over how far B comes with that
+    QueryDisplacement predicted[2];  ///< the displacement that query boxes of the other tree are
+                                     ///< predicted to repeat
+    float per_distance = 0;          ///< 1 over how far B comes with that displacement
 
    private:
     friend class WideFront;
     Pass(const RelativeFrame& b_in_a, const RelativeFrame& a_in_b, Kind kind);
   };
 
-  /// Forgets everything and begins with the roots, which must outlive it, in these poses: how tree
-  /// B lies in tree A and how A lies in B, each with its slack (law 5), in the same common units.
+  /// Forgets everything and begins with the roots of trees, which must outlive the front, in these
+  /// poses: how tree B lies in tree A and how A lies in B, each with its slack (law 5), in the same
+  /// common units.
   void begin(const WideTree& tree_a, const WideTree& tree_b, const RelativeFrame& b_in_a,
              const RelativeFrame& a_in_b);
 
-  /// The same trees are in other poses, in the same units, since begin() after this motion.
+  /// Sets other poses of the same trees, in the same units, to which `motion` has led since
+  /// begin().
   void set_poses(const RelativeFrame& b_in_a, const RelativeFrame& a_in_b,
                  const MotionBound& motion);
 
-  /// In the poses that it followed to.
+  /// Returns a pass in the poses that were set last.
   Pass start_pass(Kind kind) const;
 
-  /// From here on B is predicted to go on as it came from the poses `before`, a `step` ago. What
-  /// the predicted motion does not bring nearer is then due later. If B moves otherwise, answers
+  /// Predicts that B goes on from here as it came from the poses `before`, a `step` ago. Pairs that
+  /// the predicted motion does not bring nearer are then due later. If B moves otherwise, answers
   /// are as certain as before, but take more time.
   void set_prediction(const RelativeFrame (&before)[2], const MotionBound& step);
   void drop_prediction();
   bool has_prediction() const { return has_prediction_; }
-  /// The motion spent, with which budgets are compared: how far B has come, or more.
+  /// Returns the motion spent, with which budgets are compared: how far B has come, or more.
   double spent() const { return spent_; }
 
-  /// The share of all that is due in this pass.
+  /// Returns the share of all visits and leaves that is due in this pass.
   double share_due(const Pass& pass, double limit) const;
 
-  /// What a pass does for later ones, so that the gap that it proves is larger. It opens boxes that
-  /// are no further apart than `look_ahead` as if they met, until the front holds `most_added`
+  /// Says what a pass does for later ones, so that the gap that it proves is larger. It opens boxes
+  /// that are no further apart than `look_ahead` as if they met, until the front holds `most_added`
   /// pairs more, and compares primitives that are as near. It does not where primitives are no
-  /// further apart than `useful`, which a gap has to exceed to be worth anything. Common units.
+  /// further apart than `useful`, which a gap has to exceed to be worth anything. Lengths are in
+  /// common units.
   struct Foresight {
     double look_ahead = 0;
     double useful = 0;
@@ -112,54 +118,55 @@ class WideFront {
   std::size_t unsure_count() const { return state_.unsure.size; }
   PlacePair unsure(std::size_t index) const { return places_of(state_.unsure.lanes[index]); }
 
-  /// How many of the boxes and leaves that it held the last pass had to look at.
+  /// Returns how many of the boxes and leaves that the front held the last pass had to look at.
   std::size_t looked_at() const { return state_.looked_at; }
 
   std::size_t near_pair_count() const { return state_.near_pairs.size(); }
   PlacePair near_pair(std::size_t index) const { return places_of(state_.near_pairs[index]); }
 
-  /// Whether a near pair may be `limit` apart or nearer, by what set_gap() and keep_apart() proved.
+  /// True if a near pair may be `limit` apart or nearer, by what set_gap() and keep_apart() proved.
   bool is_due(std::size_t index, const Pass& pass, double limit);
 
-  /// Near pair `index` is at least so far apart in this pass (common units).
+  /// Notes that near pair `index` is at least so far apart in this pass (common units).
   void set_gap(std::size_t index, const Pass& pass, double gap);
 
-  /// How far two primitives are apart at least along a direction, from A to B, which is no longer
-  /// than 1 in the frame of either tree (common units).
+  /// Says how far two primitives are apart at least along a direction, from A to B, which is no
+  /// longer than 1 in the frame of either tree (common units).
   struct Gap {
     double units;
     double along_in_a[3];
     double along_in_b[3];
   };
 
-  /// Near pair `index` is apart by that in this pass, and while it is it is not due.
+  /// Notes that near pair `index` is apart by that gap in this pass. As long as it is, it is not
+  /// due.
   void keep_apart(std::size_t index, const Pass& pass, const Gap& gap);
 
-  /// How far apart all is at least, if no near pair was within the limit and nothing met: valid
-  /// after update().
+  /// Returns how far apart all is at least, if no near pair was within the limit and nothing met.
+  /// It is valid after update().
   double proven_gap(const Pass& pass) const;
 
-  /// What it holds: pairs that were looked at.
+  /// Returns how many pairs that were looked at the front holds.
   std::size_t size() const {
     return state_.visits.size() + state_.leaves.size() + state_.near_pairs.size();
   }
 
-  /// What all passes did since these were last taken. Pairs of boxes that were not due are
-  /// `skipped`.
+  /// Counts what all passes did since these counts were last taken. Pairs of boxes that were not
+  /// due are `skipped`.
   struct Counts {
     WideWalkCounts walk;
     std::uint64_t skipped = 0;
   };
   Counts take_counts();
 
-  // What the kernels see.
+  // The kernels see the following.
 
   /// A query box beside the children of a tested node.
   struct Visit {
     WideChildRef tested;  ///< the first child
     WideChildRef query;
     int tested_side;
-    float tested_size;     ///< of the box around the children
+    float tested_size;     ///< the size of the box around the children
     std::uint32_t opened;  ///< the children below which the front goes on
   };
 
@@ -168,23 +175,23 @@ class WideFront {
     std::uint32_t treelet;
     std::uint32_t link;
     std::uint32_t first;  ///< the place of its first primitive
-    float size;           ///< no two of its corners are further apart
+    float size;           ///< the largest distance of two of its corners, or more
     bool operator==(const Leaf&) const = default;
   };
 
-  /// Two leaves.
+  /// Two leaves beside each other.
   struct Leaves {
     Leaf tested;
     Leaf query;
     int tested_side;
-    std::uint32_t listed;  ///< the near pairs among theirs, by their lanes
+    std::uint32_t listed;  ///< the near pairs among their primitives, by their lanes
   };
 
   static constexpr std::size_t kLeafPairs = ChildLink::kMaxLeafSize * ChildLink::kMaxLeafSize;
 
-  /// Pairs of primitives, as 16 times a pair of leaves and a lane of these.
+  /// Pairs of primitives, each as 16 times a pair of leaves and a lane of these.
   struct LeafPairs {
-    std::vector<std::uint32_t> lanes;  ///< with room for one vector more
+    std::vector<std::uint32_t> lanes;  ///< the pairs, with room for one vector more
     std::size_t size = 0;
 
     void make_room(std::size_t leaves) {
@@ -209,21 +216,22 @@ class WideFront {
   struct State {
     const WideTree* tree[2] = {nullptr, nullptr};
     std::vector<Visit> visits;
-    Planes<FrontKind::Intersection> intersection;  ///< of a front of this kind
-    Planes<FrontKind::Distance> distance;          ///< likewise
+    Planes<FrontKind::Intersection> intersection;  ///< planes of a front of this kind
+    Planes<FrontKind::Distance> distance;          ///< planes of a front of this kind
     std::vector<float> visit_budgets;
     std::vector<Leaves> leaves;
     std::vector<float> leaves_budgets;
     std::vector<std::uint32_t> busy;  ///< indices of `leaves` in which primitives meet
     LeafPairs crossing;
     LeafPairs unsure;
-    std::vector<std::uint32_t> near_pairs;  ///< as the lanes of LeafPairs
+    std::vector<std::uint32_t> near_pairs;  ///< near pairs, as the lanes of LeafPairs
     std::vector<float> near_pair_budgets;
     std::vector<FrontPlane> near_pair_planes;
     std::vector<std::uint32_t> due;  ///< working memory: indices of what is due in a pass
-    std::size_t looked_at = 0;       ///< by the last pass, of what there was before it
-    float least_budget = 0;          ///< of visits and leaves, if none is busy
-    std::uint64_t lanes = 0;         ///< of all visits
+    std::size_t looked_at = 0;       ///< how many the last pass looked at, of those that were there
+                                     ///< before it
+    float least_budget = 0;          ///< the least budget of visits and leaves, if none is busy
+    std::uint64_t lanes = 0;         ///< the number of lanes of all visits
     WideWalkCounts counts;
   };
 
@@ -231,16 +239,16 @@ class WideFront {
   PlacePair places_of(std::uint32_t lane_of_leaves) const;
 
   State state_;
-  RelativeFrame first_[2] = {};  ///< at begin()
-  RelativeFrame last_[2] = {};   ///< at the last set_poses()
-  MotionBound motion_;           ///< from begin() to then
+  RelativeFrame first_[2] = {};  ///< the frames at begin()
+  RelativeFrame last_[2] = {};   ///< the frames at the last set_poses()
+  MotionBound motion_;           ///< the motion from begin() to the last set_poses()
   double spent_ = 0;             ///< the motion spent (front_planes.h)
   bool has_prediction_ = false;
   MotionPrediction prediction_;
   std::uint64_t skipped_ = 0;
 };
 
-// What the kernels are asked.
+// The kernels are asked by the following.
 
 /// Pairs that are further apart than `limit` and whose budget is more than `spent` are skipped: the
 /// others are due.
@@ -249,15 +257,16 @@ struct FrontHorizon {
   float spent;  ///< the motion spent, with slacks and the limit, as budgets are
 };
 
-/// What an update of a front looks at.
+/// Says what an update of a front looks at.
 struct FrontTask {
-  FrontHorizon required;    ///< what it has to compare
-  FrontHorizon look_ahead;  ///< what it may compare for later passes, as in WideFront::Foresight
-  float useful;             ///< likewise
-  std::size_t most_added;   ///< likewise
+  FrontHorizon required;    ///< the pairs that it has to compare
+  FrontHorizon look_ahead;  ///< the pairs that it may compare for later passes, as in
+                            ///< WideFront::Foresight
+  float useful;             ///< as in WideFront::Foresight
+  std::size_t most_added;   ///< as in WideFront::Foresight
 };
 
-/// Looks at what is due in a front, and at what is busy. Private to bvh/wide.
+/// Looks at what is due in a front, and at what is busy. It is private to bvh/wide.
 void update_front(WideFront::State& state, const WideFront::Pass& pass, const FrontTask& task);
 
 }  // namespace graze::bvh

@@ -24,7 +24,8 @@ HWY_BEFORE_NAMESPACE();
 namespace graze::bvh::HWY_NAMESPACE {
 namespace {
 
-/// Some children of a tested node beside a query box, along the axes of the tested node.
+/// The gaps between some children of a tested node and a query box, along the axes of the tested
+/// node.
 ///
 /// The 15 axes are those of bvh/value/separating_axes.h, which derives the test of two boxes along
 /// them. The code is another one because it asks for more than a yes: the largest gap over all
@@ -67,7 +68,7 @@ class BoxGaps {
     best_.consider_sum(square, turned);
   }
 
-  /// Along cross products of axes, which are no longer than 1.
+  /// Looks along cross products of axes, which are no longer than 1.
   HWY_INLINE void look_across() {
     const Tag tag;
     for (int k = 0; k < 3; ++k) {
@@ -90,8 +91,9 @@ class BoxGaps {
     }
   }
 
-  /// Along the normals of the slabs of the tested node's children, of which nothing else is known:
-  /// where boxes overlap along all their axes no offset of middles is longer than both boxes.
+  /// Looks along the normals of the slabs of the tested node's children. A child about which
+  /// anything else was proved is left out: where boxes overlap along all their axes no offset of
+  /// middles is longer than both boxes.
   HWY_INLINE void look_along_slabs(std::size_t lane, const QuerySlab& slab) {
     const Tag tag;
     const SlabLanes slabs(tested_, lane, half_);
@@ -118,7 +120,7 @@ class BoxGaps {
     best_.consider(gap, hn::Set(tag, 1.0f), axes);
   }
 
-  /// What was found, in the frame of the tested node's tree, in common units.
+  /// Stores what was found, in the frame of the tested node's tree, in common units.
   template <FrontKind kind>
   HWY_INLINE void store(FrontPlanes<WideNode::kWidth, kind>& planes,
                         FoundPlanes<WideNode::kWidth>& found, std::size_t lane,
@@ -144,11 +146,12 @@ class BoxGaps {
   const QueryInNode& query_;
   Lanes half_[3];
   Lanes offset_[3];
-  Lanes squared_distance_;  ///< no two points of both are further apart
+  Lanes squared_distance_;  ///< the square of a distance than which no two points of both boxes are
+                            ///< further apart
   BestGap<Tag> best_;
 };
 
-/// One pass over a front.
+/// Makes one pass over a front.
 template <FrontKind kind>
 class FrontUpdater : private FrontLeaves<kind> {
  public:
@@ -209,7 +212,7 @@ class FrontUpdater : private FrontLeaves<kind> {
 
   std::size_t size() const { return state_.visits.size() + state_.leaves.size(); }
 
-  /// Whether to look ahead is in vain: so many pairs are near enough that most of them could not be
+  /// True if it is vain to look ahead: so many pairs are near enough that most of them could not be
   /// opened, or primitives are so near that no gap is worth it.
   HWY_INLINE bool is_look_ahead_in_vain() const {
     const std::size_t leaves = find_due(planes_.of_leaves, state_.leaves_budgets);
@@ -274,7 +277,7 @@ class FrontUpdater : private FrontLeaves<kind> {
     }
   }
 
-  /// Of a pair the larger child is opened: it becomes the tested node.
+  /// Adds the visit of a pair, whose larger child is opened: it becomes the tested node.
   HWY_NOINLINE void add_visit(const WidePairWalk::Waiting& pair) {
     const std::uint32_t link_a = pair.a.node->child[pair.a.lane];
     const std::uint32_t link_b = pair.b.node->child[pair.b.lane];
@@ -332,11 +335,11 @@ class FrontUpdater : private FrontLeaves<kind> {
   }
 
   float useful_;
-  std::size_t most_size_;  ///< by the front, until it looks no further ahead
+  std::size_t most_size_;  ///< the size up to which the front looks ahead
   float scale_b_;
   Query query_{};
-  WideChildRef query_child_{};  ///< whose box query_ is
-  int query_side_ = -1;         ///< of its tree; -1 as long as there is none
+  WideChildRef query_child_{};  ///< the child whose box query_ is
+  int query_side_ = -1;         ///< the side of its tree; -1 as long as there is none
   QueryInNode in_node_;
 };
 

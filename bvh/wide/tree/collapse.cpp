@@ -9,16 +9,17 @@ namespace {
 
 constexpr std::uint32_t kWidth = WideNode::kWidth;
 
-/// A wide node costs its surface, for that is how often it is visited, and the room it takes: this
-/// many times the surface of everything, shared among the binary nodes. So nodes near the leaves
-/// are as large as they can be, and those above stand where they are visited least.
+/// The share of the room that a wide node takes in its cost. A wide node costs its surface, for
+/// that is how often it is visited, and the room it takes: this many times the surface of
+/// everything, shared among the binary nodes. So nodes near the leaves are as large as they can be,
+/// and those above stand where they are visited least.
 constexpr float kRoomCost = 4;
 
 /// The cheapest ways to hold what lies below a binary node in at most 1, 2, ... 8 roots.
 struct Forests {
-  std::array<float, kWidth + 1> cost{};          // by the number of roots, from 1 on
-  std::array<std::uint8_t, kWidth + 1> first{};  // of these, roots in the first child; 0: fewer do
-  std::uint8_t first_below = 0;                  // where the binary node becomes a wide one
+  std::array<float, kWidth + 1> cost{};          ///< costs by the number of roots, from 1 on
+  std::array<std::uint8_t, kWidth + 1> first{};  ///< roots in the first child; 0 if fewer roots do
+  std::uint8_t first_below = 0;                  ///< the same where the node becomes a wide one
 };
 
 struct Choice {
@@ -26,7 +27,7 @@ struct Choice {
   std::uint8_t first = 0;
 };
 
-/// The best way to share so many roots among two children.
+/// Returns the best way to share so many roots among two children.
 Choice best_share(const Forests& a, const Forests& b, std::uint32_t roots) {
   Choice best;
   for (std::uint32_t i = 1; i < roots; ++i) {
@@ -89,7 +90,7 @@ class Collapse {
     add_roots(wide, nodes_[root].first + 1, kWidth - first);
   }
 
-  /// What lies below a binary node, in the forest of so many roots.
+  /// Adds the roots of the forest of so many that lies below a binary node.
   void add_roots(WideTopologyNode& wide, std::uint32_t at, std::uint32_t roots) {
     while (roots > 1 && forests_[at].first[roots] == 0)
       --roots;
@@ -115,7 +116,7 @@ class Collapse {
   std::span<const Node> nodes_;
   std::vector<PrimitiveRange> ranges_;
   std::vector<Forests> forests_;
-  std::vector<std::uint32_t> roots_{0};  // the binary node that wide node i stands for
+  std::vector<std::uint32_t> roots_{0};  ///< the binary node that wide node i stands for
 };
 
 }  // namespace

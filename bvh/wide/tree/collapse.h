@@ -10,11 +10,11 @@
 
 namespace graze::bvh {
 
-/// The topology of wide nodes: which binary nodes became children of which wide node, in the order
-/// of their primitives.
+/// The topology of a wide node: the binary nodes that became its children, in the order of their
+/// primitives.
 struct WideTopologyNode {
-  std::uint32_t child[WideNode::kWidth];  ///< as ChildLink packs them
-  std::uint32_t node[WideNode::kWidth];   ///< the binary node
+  std::uint32_t child[WideNode::kWidth];  ///< the children's links as ChildLink packs them
+  std::uint32_t node[WideNode::kWidth];   ///< the binary node of each child
   PrimitiveRange range[WideNode::kWidth];
   std::uint32_t count;
 };

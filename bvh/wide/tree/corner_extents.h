@@ -1,7 +1,7 @@
 #pragma once
 
-// Where the corners of primitives lie along some directions, four primitives at a time. Private to
-// bvh/wide; static for the reason given in float_box.h.
+// This finds where the corners of primitives lie along some directions, four primitives at a time.
+// It is private to bvh/wide; functions are static for the reason given in float_box.h.
 
 #include <graze/bvh/value/lanes.h>
 #include <graze/bvh/wide/tree/corner_rows.h>
@@ -21,7 +21,7 @@ struct Interval {
   float high = -std::numeric_limits<float>::infinity();
 };
 
-/// Where something lies along so many directions, from an origin.
+/// Says where something lies along so many directions, from an origin.
 template <std::size_t kDirections>
 using Extent = std::array<Interval, kDirections>;
 
@@ -53,7 +53,7 @@ static inline float greatest(Lanes v) {
   return std::max(std::max(v[0], v[1]), std::max(v[2], v[3]));
 }
 
-/// The extent of consecutive primitives.
+/// Returns the extent of consecutive primitives.
 template <std::size_t kDirections>
 static inline Extent<kDirections> extent_of(const CornerRows& rows,
                                             const Projection<kDirections>& onto,

@@ -6,7 +6,7 @@
 
 namespace graze::bvh {
 
-// Four at a time: the room behind the last row is zero.
+// Four values are read at a time: the room behind the last row is zero.
 float CornerRows::largest_coordinate() const {
   Lanes largest = all_lanes(0);
   for (std::size_t i = 0; i < kRows * size_; i += 4) {

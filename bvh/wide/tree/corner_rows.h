@@ -15,17 +15,17 @@ class CornerRows {
 
   std::size_t size() const { return size_; }
 
-  /// Coordinate k of corner c of all primitives.
+  /// Return coordinate k of corner c of all primitives.
   float* row(std::size_t c, std::size_t k) { return values_.data() + (3 * c + k) * size_; }
   const float* row(std::size_t c, std::size_t k) const {
     return values_.data() + (3 * c + k) * size_;
   }
 
-  /// The largest size of a coordinate.
+  /// Returns the largest size of a coordinate.
   float largest_coordinate() const;
 
  private:
-  static constexpr std::size_t kRoom = 3;  ///< for whole vectors that begin in the last row
+  static constexpr std::size_t kRoom = 3;  ///< room for whole vectors that begin in the last row
 
   std::size_t size_;
   std::vector<float> values_;

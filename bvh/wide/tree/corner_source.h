@@ -11,7 +11,7 @@
 
 namespace graze::bvh {
 
-/// Where a WideTree gets its primitives from, each as the hull of three points. What is given must
+/// The source of a WideTree's primitives, each as the hull of three points. What is given must
 /// outlive this.
 class CornerSource {
  public:
@@ -22,12 +22,13 @@ class CornerSource {
 
   std::size_t size() const { return primitives_.size(); }
 
-  /// References to these primitives, with their boxes rounded outward in the frame (law 5); to all
-  /// of them, in parallel, if none are named.
+  /// Returns references to these primitives, with their boxes rounded outward in the frame (law 5);
+  /// to all of them, in parallel, if none are named.
   References references(const LocalFrame& frame,
                         std::span<const std::uint32_t> primitives = {}) const;
 
-  /// The box of these primitives, rounded outward in the frame: that of all their references.
+  /// Returns the box of these primitives, rounded outward in the frame: that of all their
+  /// references.
   Bounds bounds(const LocalFrame& frame, std::span<const std::uint32_t> primitives) const;
 
   /// Fills `rows`, which is as long, with these primitives' corners: in the frame, less `origin`.

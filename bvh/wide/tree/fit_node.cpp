@@ -11,7 +11,7 @@
 namespace graze::bvh {
 namespace {
 
-/// The children of one node.
+/// The extents of the children of one node.
 struct ChildExtents {
   Extent<3> of[WideNode::kWidth];
 };
@@ -39,7 +39,7 @@ float sum_of_surfaces(const ChildExtents& extents, std::size_t children) {
   return sum;
 }
 
-/// The middle of the corners' box, roughly: any point near by will do.
+/// Chooses roughly the middle of the corners' box: any point near by will do.
 void choose_origin(const RangeMoments& moments, std::size_t primitives, float* origin) {
   for (int k = 0; k < 3; ++k)
     origin[k] = static_cast<float>(moments.sum[k] / (3.0 * static_cast<double>(primitives)));
@@ -105,7 +105,7 @@ float fit_node(const CornerRows& rows, const MomentSums& sums,
 
 float refit_node(const CornerRows& rows, std::span<const PrimitiveRange> children,
                  const double (&rows_origin)[3], WideNode& node) {
-  // A corner of the primitive in the middle: any point near by will do.
+  // This is a corner of the primitive in the middle: any point near by will do.
   const std::size_t middle = (children.front().begin + children.back().end) / 2;
   float origin[3];
   NodeAxes axes;

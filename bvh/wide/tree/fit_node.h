@@ -23,7 +23,7 @@ float fit_node(const CornerRows& rows, const MomentSums& sums,
                std::span<const PrimitiveRange> children, const double (&rows_origin)[3],
                WideNode& node);
 
-/// The same along the axes that the node has, for other corners of its primitives.
+/// Does the same along the axes that the node has, for other corners of its primitives.
 float refit_node(const CornerRows& rows, std::span<const PrimitiveRange> children,
                  const double (&rows_origin)[3], WideNode& node);
 

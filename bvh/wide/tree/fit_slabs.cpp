@@ -16,8 +16,8 @@ std::int8_t nearest_slope(double slope) {
   return static_cast<std::int8_t>(slope < 0 ? -rounded : rounded);
 }
 
-/// Across this normal, as far as slopes go. One that lies nearer to another axis makes no slab: the
-/// box is as thin along that one.
+/// Chooses slopes such that the slab stands across the mean normal, as far as slopes go. A normal
+/// that lies nearer to another axis makes no slab: the box is as thin along that one.
 void choose_slopes(const RangeMoments& moments, const NodeAxes& axes, WideNode& node,
                    std::uint32_t lane) {
   double along[3];
@@ -34,7 +34,7 @@ void choose_slopes(const RangeMoments& moments, const NodeAxes& axes, WideNode& 
 /// Slabs that are not so much thinner than boxes cost more than they save.
 constexpr double kWorthAsking = 0.85;
 
-/// All but the slopes.
+/// Sets all of a slab but its slopes.
 void set_slab(const CornerRows& rows, const NodeAxes& axes, const float* origin,
               const PrimitiveRange& range, WideNode& node, std::uint32_t lane) {
   const double slope[3] = {WideNode::slope_of(node.slope[0][lane]),
@@ -59,7 +59,8 @@ void set_slab(const CornerRows& rows, const NodeAxes& axes, const float* origin,
   const double rounded = std::clamp(std::floor(middle + 0.5), -127.0, 127.0);
   const double at = rounded * WideNode::kSlabMiddleUnit * radius;
   const double half = std::max(high - at, at - low) / (WideNode::kSlabHalfUnit * radius);
-  // One step more covers the division's rounding. What reaches beyond the box is held by the box.
+  // One step more covers the division's rounding. A part of the slab beyond the box does not
+  // matter: the box holds all.
   const double steps = std::floor(half) + 1;
   if (!(steps <= 256)) return clear_slab(node, lane);
   node.slab_middle[lane] = static_cast<std::int8_t>(rounded);

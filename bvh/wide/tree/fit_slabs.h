@@ -1,6 +1,6 @@
 #pragma once
 
-// The slabs of a node whose axes and boxes are set. Private to bvh/wide.
+// These set the slabs of a node whose axes and boxes are set. They are private to bvh/wide.
 
 #include <graze/bvh/wide/tree/fit_node.h>
 #include <graze/bvh/wide/tree/node_axes.h>
@@ -10,12 +10,12 @@
 
 namespace graze::bvh {
 
-/// Slopes such that each slab stands across the mean normal of what its child holds. Rows are
-/// coordinates less what `origin`, the node's, is given in.
+/// Sets slopes such that each slab stands across the mean normal of what its child holds, and the
+/// slabs. Rows are coordinates less what `origin`, the node's, is given in.
 void fit_slabs(const CornerRows& rows, const MomentSums& sums, const NodeAxes& axes,
                const float* origin, std::span<const PrimitiveRange> children, WideNode& node);
 
-/// The same with the slopes that the node has.
+/// Does the same with the slopes that the node has.
 void refit_slabs(const CornerRows& rows, const NodeAxes& axes, const float* origin,
                  std::span<const PrimitiveRange> children, WideNode& node);
 
@@ -23,7 +23,7 @@ void refit_slabs(const CornerRows& rows, const NodeAxes& axes, const float* orig
 /// to ask them: in all alike, for walks cannot predict what changes from node to node.
 void choose_slabs(std::span<WideNode> nodes);
 
-/// A slab that says no more than the box.
+/// Sets a slab that says no more than the box.
 void clear_slab(WideNode& node, std::uint32_t lane);
 
 }  // namespace graze::bvh

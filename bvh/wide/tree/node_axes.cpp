@@ -19,7 +19,7 @@ constexpr double kShortest = 0x1p-500;
 struct Covariance {
   double value[3][3];
 
-  /// C v.
+  /// Computes C v.
   void times(const double* v, double* product) const {
     for (int i = 0; i < 3; ++i)
       product[i] = value[i][0] * v[0] + value[i][1] * v[1] + value[i][2] * v[2];
@@ -45,7 +45,7 @@ Covariance covariance_of(const RangeMoments& moments, std::size_t corners) {
   return c;
 }
 
-/// Any two unit vectors that stand on `w` and on each other.
+/// Finds any two unit vectors that stand on `w` and on each other.
 void span_plane(const double* w, double* u, double* v) {
   const int smallest = std::abs(w[0]) <= std::abs(w[1]) && std::abs(w[0]) <= std::abs(w[2]) ? 0
                        : std::abs(w[1]) <= std::abs(w[2])                                   ? 1

@@ -10,9 +10,10 @@ namespace graze::bvh {
 /// Sums over a range of primitives that tell how it lies in space.
 struct RangeMoments {
   double normal[3] = {};    ///< sum of the cross products of two edges: twice the area vector
-  double area = 0;          ///< sum of the lengths of these
-  double sum[3] = {};       ///< of all corners
-  double products[6] = {};  ///< of all corners' coordinates: xx, yy, zz, xy, yz, zx
+  double area = 0;          ///< sum of the lengths of these products
+  double sum[3] = {};       ///< sum of all corners
+  double products[6] = {};  ///< sums of products of all corners' coordinates: xx, yy, zz, xy, yz,
+                            ///< zx
 };
 
 /// The moments of any range of consecutive primitives, as differences of running sums. One sum in
@@ -20,10 +21,10 @@ struct RangeMoments {
 /// treelet needs to be built.
 class MomentSums {
  public:
-  /// The rows must outlive the sums.
+  /// Sums the rows, which must outlive the sums.
   explicit MomentSums(const CornerRows& rows);
 
-  /// Of the primitives from `begin` to before `end`.
+  /// Returns the moments of the primitives from `begin` to before `end`.
   RangeMoments of(std::size_t begin, std::size_t end) const;
 
  private:
@@ -32,7 +33,7 @@ class MomentSums {
   RangeMoments of_first(std::size_t count) const;
 
   const CornerRows& rows_;
-  std::vector<RangeMoments> sums_;  ///< of the first kStep * i primitives
+  std::vector<RangeMoments> sums_;  ///< the moments of the first kStep * i primitives
 };
 
 }  // namespace graze::bvh

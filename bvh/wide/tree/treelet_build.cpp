@@ -14,7 +14,8 @@ namespace {
 void set_lane(WideNode& node, std::uint32_t lane, const FloatBox& box, std::uint32_t link) {
   for (int k = 0; k < 3; ++k) {
     node.centre[k][lane] = 0.5f * (box.min[k] + box.max[k]);
-    // Room for the rounding of the centre, and as wide_bounds.h says: local boxes are below 2.
+    // This is room for the rounding of the centre, and a margin as in wide_bounds.h: local boxes
+    // are below 2.
     node.half[k][lane] = rounded_up(0.5 * box.max[k] - 0.5 * box.min[k] + 16 * kFitError);
   }
   clear_slab(node, lane);
@@ -29,7 +30,8 @@ WideNode node_along_coordinates(std::uint32_t count) {
   return node;
 }
 
-/// Puts the primitives in the order of the leaves of the binary tree over them.
+/// Puts the primitives in the order of the leaves of the binary tree over them, and returns its
+/// nodes.
 std::vector<Node> ordered_nodes(const TreeletPart& part, std::span<std::uint32_t> order,
                                 const LocalFrame& frame, const CornerSource& source) {
   References references = source.references(frame, order);

@@ -10,12 +10,12 @@
 
 namespace graze::bvh {
 
-/// The nodes above the treelets: the box of everything in node 0, and below it boxes along the
-/// coordinate axes, the last of which lead to part i as treelet i + 1.
+/// Returns the nodes above the treelets: the box of everything in node 0, and below it boxes along
+/// the coordinate axes, the last of which lead to part i as treelet i + 1.
 std::vector<WideNode> top_nodes(std::span<const Node> top, const FloatBox& box);
 
-/// Builds a treelet. `order` names the part's primitives, and is put in the order of its leaves.
-/// O(n log n).
+/// Builds a treelet. `order` names the part's primitives, and is put in the order of its leaves. It
+/// takes O(n log n).
 Treelet built_treelet(const TreeletPart& part, std::span<std::uint32_t> order,
                       const LocalFrame& frame, const CornerSource& source);
 

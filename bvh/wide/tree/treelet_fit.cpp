@@ -7,7 +7,7 @@
 namespace graze::bvh {
 namespace {
 
-/// The corners leaf by leaf, with room for reading whole vectors at the end.
+/// Returns the corners leaf by leaf, with room for reading whole vectors at the end.
 std::vector<float> leaf_blocks(std::span<const WideTopologyNode> nodes, const CornerRows& rows) {
   constexpr std::size_t kRoom = 4;
   std::vector<float> blocks(CornerRows::kRows * rows.size() + kRoom);
@@ -25,8 +25,8 @@ std::vector<float> leaf_blocks(std::span<const WideTopologyNode> nodes, const Co
   return blocks;
 }
 
-/// The sum of the areas, twice over, and of a share of the edges' squares, for lines have no area.
-/// Every fourth primitive stands for its neighbours: what matters is how the sum changes.
+/// Returns the sum of the areas, twice over, and of a share of the edges' squares, for lines have
+/// no area. Every fourth primitive stands for its neighbours: what matters is how the sum changes.
 double size_of(const CornerRows& rows) {
   constexpr float kOfEdges = 0x1p-8f;
   double sum = 0;

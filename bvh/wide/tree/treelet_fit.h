@@ -1,6 +1,6 @@
 #pragma once
 
-// What building and refitting of treelets share. Private to bvh/wide.
+// Building and refitting of treelets share this. It is private to bvh/wide.
 
 #include <graze/bvh/wide/tree/collapse.h>
 #include <graze/bvh/wide/tree/corner_source.h>
@@ -21,7 +21,7 @@ struct TreeletCorners {
   CornerRows rows;
 };
 
-/// The ranges of a node's children, as fit_node() takes them.
+/// Returns the ranges of a node's children, as fit_node() takes them.
 inline std::span<const PrimitiveRange> ranges_of(const WideTopologyNode& node) {
   return {node.range, node.count};
 }
@@ -30,8 +30,9 @@ inline std::span<const PrimitiveRange> ranges_of(const WideTopologyNode& node) {
 void set_corners(Treelet& treelet, const TreeletPart& part, const TreeletCorners& corners,
                  std::span<const WideTopologyNode> topology);
 
-/// How many boxes a line that meets a primitive has to expect, where all boxes have these surfaces:
-/// per area of the primitives, which no rotation changes, as it would the box of all of them.
+/// Returns how many boxes a line that meets a primitive has to expect, where all boxes have these
+/// surfaces: per area of the primitives, which no rotation changes, as it would the box of all of
+/// them.
 float cost_of(double surfaces, const TreeletCorners& corners);
 
 /// Fits axes and boxes to all nodes, whose links are set, and says what that costs.

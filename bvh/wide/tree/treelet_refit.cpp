@@ -7,13 +7,13 @@
 namespace graze::bvh {
 namespace {
 
-/// How many times what it cost a treelet may cost: along the axes that it has before others are
+/// A treelet may cost so many times what it did: along the axes that it has before others are
 /// chosen, and along the best ones before it is built anew.
 constexpr float kToleratedTurn = 1.1f;
 constexpr float kToleratedDegradation = 1.3f;
 
-/// What collapse() said when the nodes were built, but for the binary nodes, which are gone.
-/// Children stand behind their parents.
+/// Returns what collapse() returned when the nodes were built, but for the binary nodes, which are
+/// gone. Children stand behind their parents.
 std::vector<WideTopologyNode> topology_of(std::span<const WideNode> nodes) {
   std::vector<WideTopologyNode> topology(nodes.size());
   for (std::size_t i = nodes.size(); i-- > 0;) {

@@ -9,10 +9,10 @@
 
 namespace graze::bvh {
 
-/// The stock's nodes fitted to where the same primitives, in the same order, are now: along the
-/// axes that they have or, where these no longer fit, along new ones. Nothing if the nodes have
-/// degraded: if boxes have grown into each other so far that they are better built anew. Linear
-/// time in primitives times levels.
+/// Returns the stock's nodes fitted to where the same primitives, in the same order, are now: along
+/// the axes that they have or, where these no longer fit, along new ones. Returns nothing if the
+/// nodes have degraded: if boxes have grown into each other so far that they are better built anew.
+/// It takes linear time in primitives times levels.
 std::optional<Treelet> refitted_treelet(const Treelet& stock, const TreeletPart& part,
                                         std::span<const std::uint32_t> order,
                                         const LocalFrame& frame, const CornerSource& source);

@@ -1,8 +1,8 @@
 #pragma once
 
-// How far the float arithmetic of wide trees can be off, one constant after the other. Private to
-// bvh/wide. tests/proofs/wide_* prove these bounds from the constants and from the lines of code
-// that compute, and name what is left to argue.
+// This derives how far the float arithmetic of wide trees can be off, one constant after the other.
+// It is private to bvh/wide. tests/proofs/wide_* prove these bounds from the constants and from the
+// lines of code that compute, and name what is left to argue.
 //
 // Notation. u = 2^-24 is the unit roundoff of float. |v| is the length of a vector, |v|_1 the sum
 // of the sizes of its components. Four words are kept apart (engine/glossary.md): an error is what
@@ -129,7 +129,7 @@ inline constexpr float kAlignedError = 0x1p-20f;
 inline constexpr float kPlaneError = 32;
 inline constexpr float kPlaneRounding = 0x1p-18f;
 
-/// Products of three differences up to it cannot overflow.
+/// The largest extent of a plane: products of three differences up to it cannot overflow.
 inline constexpr float kLargestPlaneExtent = 0x1p40f;
 
 /// A query box's unit in a tested node's beyond which sums of coordinates could overflow and still
@@ -147,7 +147,7 @@ inline constexpr double kLargestScale = 0x1p60;
 /// less than 101 u = 2^-17.3 of themselves.
 inline constexpr double kBoundGrowth = 1 + 0x1p-15;
 
-/// Covers what underflows, where it is added to sums of products of at most three.
+/// This covers what underflows, where it is added to sums of products of at most three.
 inline constexpr float kWideUnderflow = 0x1p-120f;
 
 }  // namespace graze::bvh

@@ -12,16 +12,18 @@
 namespace graze::bvh {
 namespace {
 
-/// Primitives of a treelet at most: what a walk builds at once, a fraction of a millisecond.
+/// The largest number of primitives of a treelet: a walk builds these at once, in a fraction of a
+/// millisecond.
 constexpr std::size_t kTreeletSize = 2048;
 
-/// How many times what it cost a part of the top may cost before it is split anew. More than for
-/// treelets, because all treelets below are lost with it.
+/// A part of the top may cost so many times what it did before it is split anew: more than a
+/// treelet, because all treelets below are lost with it.
 constexpr float kToleratedDegradation = 1.65f;
 
 using Places = std::span<std::uint32_t>;
 
-/// Splits what the order names, and appends its parts, whose places count from `first`.
+/// Splits the primitives that the order names, and appends the parts, whose places count from
+/// `first`.
 std::vector<Node> split_into(std::vector<TreeletPart>& parts, References references, Places order,
                              std::uint32_t first, int depth) {
   TopTree top = split_top(references.all(), kTreeletSize, kWideSettings, depth);
@@ -34,7 +36,7 @@ std::vector<Node> split_into(std::vector<TreeletPart>& parts, References referen
   return std::move(top.nodes);
 }
 
-/// The box of each part where its primitives are now.
+/// Sets the box of each part to where its primitives are now.
 void fit_parts(WideTop& top, const CornerSource& source, const LocalFrame& frame, Places order) {
   for_in_parallel(std::size_t{0}, top.parts.size(), [&](std::size_t i) {
     in_standard_arithmetic([&] {
@@ -44,7 +46,7 @@ void fit_parts(WideTop& top, const CornerSource& source, const LocalFrame& frame
   });
 }
 
-/// Children stand behind their parents.
+/// Fits all nodes to the boxes of the parts. Children stand behind their parents.
 void fit_nodes(WideTop& top) {
   for (std::size_t i = top.nodes.size(); i-- > 0;) {
     Node& node = top.nodes[i];
@@ -56,7 +58,7 @@ void fit_nodes(WideTop& top) {
   }
 }
 
-/// The places below a node, which lie side by side.
+/// Returns the places below a node, which lie side by side.
 TreeletPart places_below(const WideTop& top, std::uint32_t node) {
   const Node& at = top.nodes[node];
   if (at.is_leaf()) return top.parts[at.first];
@@ -72,7 +74,8 @@ void rebuild(WideTop& top, std::span<const DegradedNode> degraded, const CornerS
   for (const DegradedNode& node : degraded) {
     const TreeletPart below = places_below(top, node.node);
     const Places places = order.subspan(below.first, below.count);
-    // All of them in their own order, so that nothing but the positions says what is built.
+    // The primitives are taken in their own order, so that nothing but their positions says what is
+    // built.
     References references =
         below.count == order.size() ? source.references(frame) : source.references(frame, places);
     const auto first_part = static_cast<std::uint32_t>(top.parts.size());

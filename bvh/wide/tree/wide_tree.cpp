@@ -37,8 +37,8 @@ void WideTree::set_top(WideTop top) {
   top_ = std::move(top);
 }
 
-// Not inline: kernels are not instrumented in sanitized builds, and what a thread acquires there
-// ThreadSanitizer does not see.
+// This is not inline: kernels are not instrumented in sanitized builds, and ThreadSanitizer does
+// not see what a thread acquires there.
 const Treelet& WideTree::entered(std::uint32_t index, TreeletCounts& counts) const {
   const Treelet* built = treelets_[index].built.load(std::memory_order_acquire);
   return built != nullptr ? *built : build(index, counts);

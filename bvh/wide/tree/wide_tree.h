@@ -32,16 +32,16 @@ struct alignas(32) WideNode {
   float centre[3][kWidth];
   float half[3][kWidth];
   float axes[3][3];     ///< [component][axis]: unit vectors at right angles, but for rounding
-  std::uint16_t count;  ///< of children, at least 1
+  std::uint16_t count;  ///< the number of children, at least 1
   std::uint16_t
       has_slabs;  ///< whether slabs are so much thinner than boxes that it pays to ask them
   double origin[3];
-  std::uint32_t child[kWidth];      ///< as ChildLink packs them
-  std::int8_t slope[2][kWidth];     ///< q stands for q |q| 2^-14: finer where it is small
-  std::int8_t slab_middle[kWidth];  ///< in 2^-7 h
-  std::uint8_t slab_half[kWidth];   ///< in 2^-8 h, less one
+  std::uint32_t child[kWidth];      ///< the children's links as ChildLink packs them
+  std::int8_t slope[2][kWidth];     ///< q stands for q |q| 2^-14, which is finer where it is small
+  std::int8_t slab_middle[kWidth];  ///< in units of 2^-7 h
+  std::uint8_t slab_half[kWidth];   ///< in units of 2^-8 h, less one
 
-  /// What slopes are in the end: between -1 and 1, and exact.
+  /// Returns the slope that a byte stands for: it is between -1 and 1, and exact.
   static float slope_of(std::int8_t q) {
     return static_cast<float>(q) * static_cast<float>(q < 0 ? -q : q) * kSlopeUnit;
   }
@@ -50,12 +50,12 @@ struct alignas(32) WideNode {
   static constexpr float kSlabMiddleUnit = 0x1p-7f;
   static constexpr float kSlabHalfUnit = 0x1p-8f;
 
-  /// The bits of the lanes that hold a child.
+  /// Returns the bits of the lanes that hold a child.
   std::uint32_t lanes() const { return (1u << count) - 1u; }
 };
 static_assert(sizeof(WideNode) == 320, "five cache lines");
 
-/// What a lane of a node leads to: a node so many behind this one, another treelet, or a leaf,
+/// Says what a lane of a node leads to: a node so many behind this one, another treelet, or a leaf,
 /// whose primitives are counted from the treelet's first on.
 struct ChildLink {
   static constexpr std::uint32_t kMaxLeafSize = 4;
@@ -81,53 +81,54 @@ struct ChildLink {
   static constexpr std::uint32_t kCountBits = 2;
 };
 
-/// Which primitives, by their places in a wide tree's order, are those of a treelet, and where they
-/// lie.
+/// A stretch of a wide tree's order, whose primitives are those of a treelet, and the box around
+/// them.
 struct TreeletPart {
   std::uint32_t first = 0;
   std::uint32_t count = 0;
-  int depth = 0;  ///< binary nodes above
+  int depth = 0;  ///< the number of binary nodes above
   FloatBox box;
 };
 
-/// Nodes, the primitives that their leaves count from, and these primitives' corners: in the tree's
-/// frame less an origin of the treelet's own, so that floats tell points apart that are close for
-/// the treelet, however large the tree.
+/// The nodes of a part of a wide tree, the number from which their leaves count primitives, and
+/// these primitives' corners: in the tree's frame less an origin of the treelet's own, so that
+/// floats tell points apart that are close for the treelet, however large the tree.
 struct Treelet {
   std::vector<WideNode> nodes;
-  std::vector<float> corners;  ///< of a leaf: 9 rows, one behind the other, from 9 * its first on
+  std::vector<float> corners;  ///< a leaf has 9 rows, one behind the other, from 9 * its first on
   double origin[3] = {0, 0, 0};
-  float largest_coordinate = 0;  ///< no coordinate of a corner is larger, nor its negative
+  float largest_coordinate = 0;  ///< the largest size of a coordinate of a corner
   std::uint32_t first = 0;
 
-  // cost_of() the nodes when they were built, and when their axes were last chosen.
+  /// The cost_of() the nodes when they were built, and when their axes were last chosen.
   float built_cost = 0;
   float fitted_cost = 0;
 };
 
-/// How treelets came to be.
+/// Counts how treelets came to be.
 struct TreeletCounts {
-  std::uint64_t built = 0;     ///< from primitives alone
-  std::uint64_t refitted = 0;  ///< from the nodes of an earlier tree
+  std::uint64_t built = 0;     ///< treelets that were made from primitives alone
+  std::uint64_t refitted = 0;  ///< treelets that were made from the nodes of an earlier tree
 };
 
 /// The binary nodes above the treelets. A leaf among them is a treelet: its `first` counts parts,
 /// its `count` primitives.
 struct WideTop {
   std::vector<Node> nodes;
-  std::vector<float> costs;  ///< subtree_costs() when each node was built
+  std::vector<float> costs;  ///< the subtree_costs() when each node was built
   std::vector<TreeletPart> parts;
-  // Of each part what an earlier tree made of the same primitives in the same order, if anything.
+  /// The treelet that an earlier tree made of the same primitives in the same order, for each part
+  /// that has one.
   std::vector<std::shared_ptr<const Treelet>> inherited;
 };
 
-/// What is left of a wide tree for the next one over the same primitives, elsewhere.
+/// The parts of a wide tree that the next one over the same primitives, elsewhere, begins with.
 struct WideStock {
   WideTop top;
   std::vector<std::uint32_t> primitives;
 };
 
-/// A child of a node, by where the node stands: everything that a walk has to remember of it.
+/// A child of a node, by where the node stands: a walk has to remember no more of it.
 struct WideChildRef {
   const WideNode* node;
   std::uint32_t lane;
@@ -137,8 +138,8 @@ struct WideChildRef {
 
 /// The one topology collapsed to wide nodes. Its top is built at once, the treelets below it, of
 /// two thousand primitives at most, when a walk first enters them: a tree that is asked little is
-/// built little. Safe to walk from many threads; the same nodes whenever and by whomever they are
-/// built.
+/// built little. It may be walked from many threads; its nodes are the same whenever and by
+/// whomever they are built.
 class WideTree {
  public:
   using Treelet = bvh::Treelet;
@@ -146,34 +147,37 @@ class WideTree {
   /// Builds the top, in parallel. The source must outlive the tree; `bounds` holds all of it.
   WideTree(const Aabb& bounds, const CornerSource& source);
 
-  /// Over the primitives of the tree that left the stock, which may have moved anywhere: refits the
-  /// top, in parallel, and later treelets as they are entered. What has degraded is built anew.
+  /// Builds a tree over the primitives of the tree that left the stock, which may have moved
+  /// anywhere: it refits the top, in parallel, and later treelets as they are entered. What has
+  /// degraded is built anew.
   WideTree(const Aabb& bounds, const CornerSource& source, const WideStock& stock);
 
-  /// What the next tree over these primitives can begin with: copies a few bytes a primitive, and
-  /// shares treelets. Safe beside walks.
+  /// Returns what the next tree over these primitives can begin with: it copies a few bytes a
+  /// primitive, and shares treelets. It may be called beside walks.
   WideStock stock() const;
 
   const LocalFrame& frame() const { return frame_; }
 
-  /// The box of everything.
+  /// Returns the box of everything.
   const FloatBox& box() const { return box_; }
 
-  /// Where walks begin: the box of everything.
+  /// Returns where walks begin: the box of everything.
   WideChildRef root() const { return {treelet(0).nodes.data(), 0, 0}; }
 
-  /// A treelet that has been built: the first is the top.
+  /// Returns a treelet that has been built: the first is the top.
   const Treelet& treelet(std::uint32_t index) const {
     return *treelets_[index].built.load(std::memory_order_acquire);
   }
 
-  /// A treelet, which is built if this is the first time that it is asked for, and then counted.
+  /// Returns a treelet, which is built if this is the first time that it is asked for, and then
+  /// counted.
   const Treelet& entered(std::uint32_t index, TreeletCounts& counts) const;
 
   /// Builds all that is not built yet, in parallel. Returns how many treelets that was.
   TreeletCounts build_all() const;
 
-  /// The primitive at this place in the order of the leaves. Its treelet must have been built.
+  /// Returns the primitive at this place in the order of the leaves. Its treelet must have been
+  /// built.
   std::uint32_t primitive(std::uint32_t place) const { return primitives_[place]; }
 
   std::size_t treelet_count() const { return treelet_count_; }
@@ -181,12 +185,12 @@ class WideTree {
     return treelets_[index].built.load(std::memory_order_acquire) != nullptr;
   }
 
-  /// Of what has been built so far.
+  /// Returns how many bytes the parts have that have been built so far.
   std::size_t bytes() const;
 
  private:
-  /// `built` is set last, and once. What is inherited serves to build the treelet, and is then
-  /// given up.
+  /// A treelet that is built when it is first entered. `built` is set last, and once. What is
+  /// inherited serves to build the treelet, and is then given up.
   struct LazyTreelet {
     std::atomic<const Treelet*> built = nullptr;
     std::once_flag flag;
@@ -201,10 +205,10 @@ class WideTree {
   LocalFrame frame_;
   FloatBox box_;
   const CornerSource& source_;
-  WideTop top_;               ///< without what parts inherit, which is with the treelets
+  WideTop top_;               ///< the top without what parts inherit, which is with the treelets
   mutable std::mutex mutex_;  ///< guards what stock() reads: the order, and what treelets own
   mutable std::vector<std::uint32_t>
-      primitives_;  ///< those of a treelet are in order once it is built
+      primitives_;  ///< the primitives; those of a treelet are in order once it is built
   std::unique_ptr<LazyTreelet[]> treelets_;
   std::size_t treelet_count_ = 0;
 };

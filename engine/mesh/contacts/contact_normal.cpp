@@ -40,7 +40,7 @@ double size(const Vector& v) {
   return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
 }
 
-/// A sum of area vectors and a bound of its error.
+/// A sum of area vectors, and a bound of its error.
 struct Area {
   Vector vector;
   double error = 0;
@@ -94,7 +94,7 @@ class RegionNormal {
     return unit_direction({v.x, v.y, v.z});
   }
 
-  /// From A to B, as the faces of a cell have it.
+  /// Returns the direction from A to B that the faces of a cell have.
   static Vector between(const CellNormals& normals) {
     const Vector a = (1.0 / normals.count_a) * from(normals.sum_a);
     const Vector b = (1.0 / normals.count_b) * from(normals.sum_b);
@@ -120,9 +120,10 @@ class RegionNormal {
     return largest == 0 ? v : std::scalbn(1.0, -std::ilogb(largest)) * v;
   }
 
-  // Scaled coordinates are below 1 and off by 2 ulp, that is by 2^-51 in each; the differences from
-  // the origin by 2^-49 of two points. A component of the product of p and q is then off by less
-  // than 2^-48 (|p| + |q|), sums of absolute components, and its rounding by far less.
+  /// Adds a triangle with the origin, whose other corners are p and q, times a factor. Scaled
+  /// coordinates are below 1 and off by 2 ulp, that is by 2^-51 in each; the differences from the
+  /// origin by 2^-49 of two points. A component of the product of p and q is then off by less than
+  /// 2^-48 (|p| + |q|), sums of absolute components, and its rounding by far less.
   void add_triangle(const Vector& p, const Vector& q, double factor, Area& area) const {
     area.vector = area.vector + factor * cross(p, q);
     area.error += 0x1p-48 * std::abs(factor) * (size(p) + size(q));
@@ -164,7 +165,7 @@ class RegionNormal {
     area.error += own.error;
   }
 
-  /// For each segment of the region whether it is on a curve.
+  /// Returns for each segment of the region whether it is on a curve.
   std::vector<bool> is_on_curve() const {
     std::vector<std::uint32_t> on_curves;
     for (std::uint32_t i : region_.curves) {

@@ -7,8 +7,8 @@
 namespace graze::contacts {
 namespace {
 
-/// q - p times a power of two that brings its largest component to about 1; halves, for a
-/// difference of two doubles can overflow.
+/// Returns q - p times a power of two that brings its largest component to about 1. Halves are
+/// subtracted, for a difference of two doubles can overflow.
 Eigen::Vector3d scaled_step(const Eigen::Vector3d& p, const Eigen::Vector3d& q) {
   double step[3];
   double largest = 0;

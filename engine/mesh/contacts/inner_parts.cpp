@@ -23,7 +23,7 @@ class CornersOfMesh {
   explicit CornersOfMesh(const MeshSide& side)
       : corner_(2 * side.own.count()), first_(side.own.count() + 1, 0) {
     const std::span<const std::uint32_t> welded = side.own_mesh.mesh.welded();
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> known;  // corners and vertices
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> known;  // pairs of corners and vertices
     for (std::uint32_t triangle : side.own.triangles()) {
       const std::array<std::uint32_t, 3>& corners = side.own.corners(triangle);
       const TriangleIndices& indices = side.own_mesh.mesh.triangles()[triangle];
@@ -44,12 +44,13 @@ class CornersOfMesh {
   std::span<const std::uint32_t> vertices(std::uint32_t corner) const {
     return {vertices_.data() + first_[corner], first_[corner + 1] - first_[corner]};
   }
-  /// FeatureName::kNone for a vertex of no triangle of the intersection.
+  /// Returns the corner that a vertex is; FeatureName::kNone for a vertex of no triangle of the
+  /// intersection.
   std::uint32_t corner(std::uint32_t vertex) const { return corner_.find(vertex); }
 
  private:
   VertexNumbers corner_;
-  std::vector<std::uint32_t> vertices_;  // of one corner after the other
+  std::vector<std::uint32_t> vertices_;  ///< the vertices of one corner after the other
   std::vector<std::uint32_t> first_;
 };
 static_assert(VertexNumbers::kNone == FeatureName::kNone);
@@ -79,14 +80,15 @@ class NodesOfMesh {
   const std::vector<std::uint32_t>& at_corner(std::uint32_t corner) const {
     return at_corner_[corner];
   }
-  /// `fn(edge, nodes)` for each edge with nodes, ascending; they from its lower corner on.
+  /// Calls `fn(edge, nodes)` for each edge with nodes, ascending; the nodes come in order from its
+  /// lower corner on.
   template <typename Fn>
   void for_each_edge(const Fn& fn) const {
     for (const NodesOnEdge& on : on_edge_)
       fn(on.edge, nodes_of(on));
   }
 
-  /// The node nearest to the corner on its edge to another; kNone if there is none.
+  /// Returns the node nearest to the corner on its edge to another; kNone if there is none.
   std::uint32_t nearest(std::uint32_t corner, std::uint32_t other) const {
     const Edge edge = std::minmax(corner, other);
     const auto found =
@@ -99,7 +101,7 @@ class NodesOfMesh {
  private:
   struct NodesOnEdge {
     Edge edge;
-    std::uint32_t first;  // in on_edges_
+    std::uint32_t first;  ///< index into on_edges_
     std::uint32_t count;
   };
 
@@ -107,7 +109,7 @@ class NodesOfMesh {
     return {on_edges_.data() + on.first, on.count};
   }
 
-  /// From the lower corner on, along the coordinate that changes most.
+  /// Sorts nodes from the lower corner on, along the coordinate that changes most.
   static void sort_along(const Edge& edge, std::span<std::uint32_t> nodes,
                          const CellComplex& complex, const PlacedCorners& own) {
     if (nodes.size() == 1) return;
@@ -127,16 +129,16 @@ class NodesOfMesh {
   }
 
   std::vector<std::vector<std::uint32_t>> at_corner_;
-  std::vector<NodesOnEdge> on_edge_;  // ascending by edge
+  std::vector<NodesOnEdge> on_edge_;  ///< ascending by edge
   std::vector<std::uint32_t> on_edges_;
 };
 
 /// The ends of edges next to the nodes of each region.
 struct Shores {
-  std::vector<std::vector<std::uint32_t>> inside;  // welded vertices
+  std::vector<std::vector<std::uint32_t>> inside;  ///< welded vertices
   std::vector<std::vector<std::uint32_t>>
-      across;                          // nodes to which an edge leads through the inside
-  std::vector<std::uint32_t> outside;  // of all regions
+      across;                          ///< nodes to which an edge leads through the inside
+  std::vector<std::uint32_t> outside;  ///< welded vertices outside, of all regions
 };
 
 class Search {
@@ -212,8 +214,8 @@ class Search {
     }
   }
 
-  /// What of an edge lies between nodes, here at one point each, belongs to the parts that end at
-  /// both if it is inside: a bar that goes right through may have no vertex there.
+  /// Adds a stretch of an edge between nodes, here at one point each. It belongs to the parts that
+  /// end at both if it is inside: a bar that goes right through may have no vertex there.
   void add_stretch(const Edge& edge, std::span<const std::uint32_t> from,
                    std::span<const std::uint32_t> to, const std::vector<std::size_t>& region_of) {
     bool is_inside = false;
@@ -238,7 +240,7 @@ class Search {
     }
   }
 
-  /// An edge from a corner that is a node.
+  /// Adds an edge from a corner that is a node.
   void add_edge_at_vertex(std::uint32_t from, std::uint32_t to,
                           const std::vector<std::size_t>& region_of) {
     if (nodes_.at_corner(from).empty()) return;
@@ -248,7 +250,7 @@ class Search {
       add_shore(node, to, region_of[node]);
   }
 
-  /// No node lies between this one and the corner.
+  /// Adds an end of an edge, if no node lies between this one and the corner.
   void add_shore(std::uint32_t node, std::uint32_t corner, std::size_t region) {
     if (!nodes_.at_corner(corner).empty()) return;
     const SurfaceSide side =
@@ -279,14 +281,16 @@ class Search {
     }
   }
 
-  /// Its long side would lead past the nodes on the edges between its corners.
+  /// True if a triangle has no area: its long side would lead past the nodes on the edges between
+  /// its corners.
   bool is_without_area(std::uint32_t triangle) const {
     const std::span<const std::uint32_t> known = side_.own.triangles();
     return std::binary_search(known.begin(), known.end(), triangle) &&
            !side_.own.elements(triangle).has_area();
   }
 
-  /// Whether no node lies between one corner and the next; otherwise its end belongs to the part.
+  /// True if no node lies between one corner and the next; otherwise the end of that node belongs
+  /// to the part.
   bool leads_on(std::uint32_t corner, std::uint32_t next,
                 std::vector<Eigen::Vector3d>& points) const {
     if (next == FeatureName::kNone) return true;

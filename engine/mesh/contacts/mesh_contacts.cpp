@@ -18,7 +18,7 @@ bool is_before(const Eigen::Vector3d& p, const Eigen::Vector3d& q) {
   return std::lexicographical_compare(p.data(), p.data() + 3, q.data(), q.data() + 3);
 }
 
-/// The point furthest along a direction from an origin; of several the lowest.
+/// Finds the point furthest along a direction from an origin; of several the lowest.
 class Furthest {
  public:
   Furthest(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction)
@@ -32,7 +32,7 @@ class Furthest {
     if (extent < extent_ || (extent == extent_ && !is_before(point, point_))) return;
     extent_ = extent;
     for (int k = 0; k < 3; ++k)
-      point_.data()[k] = p[k] + 0.0;  // no negative zeros
+      point_.data()[k] = p[k] + 0.0;  // this leaves no negative zeros
   }
 
   double extent() const { return extent_; }
@@ -45,7 +45,7 @@ class Furthest {
   Eigen::Vector3d point_{0, 0, 0};
 };
 
-/// Of the nodes of a region, and of a mesh's parts that end there.
+/// Returns the furthest of the nodes of a region, and of a mesh's parts that end there.
 Furthest furthest_of(const CellComplex& complex, const Region& region, std::size_t index,
                      const contacts::InnerParts& inner, const Eigen::Vector3d& direction) {
   Furthest furthest(complex.nodes[region.nodes.front()].position, direction);
@@ -87,7 +87,7 @@ class ContactQuery {
     return found;
   }
 
-  /// While `first_point` is still the number of the region.
+  /// Appends the points of a contact whose `first_point` is still the number of the region.
   void append_points(MeshContact& contact, std::vector<Eigen::Vector3d>& points) const {
     const Region& region = regions_[contact.first_point];
     contact.first_point = static_cast<std::uint32_t>(points.size());

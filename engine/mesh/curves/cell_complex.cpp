@@ -13,7 +13,7 @@ namespace {
 
 using Corners = std::array<std::uint32_t, 3>;
 
-/// The part of an element in which a point lies, given the edges on which it does.
+/// Returns the part of an element in which a point lies, given the edges on which it does.
 FeatureName name_of(const Corners& corners, unsigned edges) {
   if (edges == 0) return {corners};
   if (std::popcount(edges) == 1) {
@@ -27,7 +27,7 @@ FeatureName name_of(const Corners& corners, unsigned edges) {
   return {{corners[2], FeatureName::kNone, FeatureName::kNone}};
 }
 
-/// What one pair of triangles has in common, before equal cells are joined.
+/// The part that one pair of triangles has in common, before equal cells are joined.
 struct Piece {
   TrianglePair pair;
   std::uint32_t first_name;
@@ -82,8 +82,8 @@ Pieces find_pieces(const TrianglePairs& pairs, const PlacedCorners& a, const Pla
   return found;
 }
 
-/// From the features alone, whichever triangles they came from: one point, or the vertex that one
-/// of them is.
+/// Computes a node's position from the features alone, whichever triangles they came from: it is
+/// their one common point, or the vertex that one of them is.
 Eigen::Vector3d position_of(const NodeName& name, const PlacedCorners& a, const PlacedCorners& b) {
   if (name.a.is_vertex()) return a.position(name.a.corner[0]);
   if (name.b.is_vertex()) return b.position(name.b.corner[0]);
@@ -114,8 +114,8 @@ int compare(const PlacedFeature& f, const PlacedFeature& g) {
 }
 
 /// The order of nodes: by position, then by the lesser feature, then by the greater one, whichever
-/// mesh they are of. A node that differs from another only in which mesh has which of two features
-/// stands where the one mesh comes before the other, whichever is called A.
+/// mesh they are of. Where two nodes differ only in which mesh has which of two features, the order
+/// of the meshes decides, whichever is called A.
 class NodeOrder {
  public:
   NodeOrder(const PlacedCorners& a, const PlacedCorners& b)
@@ -169,7 +169,7 @@ std::vector<std::uint32_t> number_nodes(const std::vector<NodeName>& names, Cell
   return numbers;
 }
 
-/// The corners of a piece, from the lowest on, towards its lower neighbour.
+/// Returns the cell of a piece with its corners from the lowest on, towards its lower neighbour.
 Cell cell_of(std::span<const std::uint32_t> corners) {
   Cell cell;
   cell.count = static_cast<std::uint32_t>(corners.size());

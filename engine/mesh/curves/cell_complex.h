@@ -22,7 +22,7 @@ struct Node {
 /// intersection it is.
 struct Cell {
   std::array<std::uint32_t, 6>
-      corner{};  ///< in cyclic order: from the lowest node on, its lower neighbour next
+      corner{};  ///< the corners in cyclic order: the lowest node first, its lower neighbour next
   std::uint32_t count = 0;
   std::uint32_t first_pair = 0;
   std::uint32_t pair_count = 0;
@@ -30,10 +30,10 @@ struct Cell {
   auto operator<=>(const Cell&) const = default;
 };
 
-/// The intersection of two placed meshes: what each pair of triangles has in common, cells that are
-/// equal by the names of their corners joined. Nodes ascend by position, then by the positions of
-/// what they are made of: an order that does not know which mesh is A (law 4). Each list of cells
-/// ascends by corners.
+/// The intersection of two placed meshes: what each pair of triangles has in common, where cells
+/// that are equal by the names of their corners are joined. Nodes ascend by position, then by the
+/// positions of what they are made of: an order that does not know which mesh is A (law 4). Each
+/// list of cells ascends by corners.
 struct CellComplex {
   PlacedCorners a;
   PlacedCorners b;
@@ -41,7 +41,7 @@ struct CellComplex {
   std::vector<Cell> points;
   std::vector<Cell> segments;
   std::vector<Cell> polygons;
-  std::vector<TrianglePair> pairs;  ///< of the cells, one after the other
+  std::vector<TrianglePair> pairs;  ///< the pairs of the cells, one after the other
 
   std::span<const TrianglePair> pairs_of(const Cell& cell) const {
     return {pairs.data() + cell.first_pair, cell.pair_count};

@@ -29,7 +29,7 @@ class Star {
   const std::vector<CurveStep>& at(std::uint32_t node) const { return at_[node]; }
   bool is_stop(std::uint32_t node) const { return is_stop_[node]; }
 
-  /// The step that goes on after this one, at a node that is no stop.
+  /// Returns the step that goes on after this one, at a node that is no stop.
   const CurveStep& after(const CurveStep& step) const {
     const std::vector<CurveStep>& steps = at_[step.to];
     return steps[0].segment == step.segment ? steps[1] : steps[0];
@@ -81,7 +81,7 @@ std::vector<CurveSteps> chain_curves(const CellComplex& complex) {
     }
     curves.push_back(std::move(curve));
   };
-  // From lower ends first: what is left then has no ends.
+  // Curves from stops are chained first: what is left then has no ends.
   for (const bool is_from_stops : {true, false}) {
     for (std::uint32_t node = 0; node < complex.nodes.size(); ++node) {
       if (star.is_stop(node) != is_from_stops) continue;

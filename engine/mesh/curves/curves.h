@@ -14,21 +14,21 @@ struct CurveStep {
   std::uint32_t to;
 };
 
-/// Segments end to end.
+/// A curve: segments end to end.
 using CurveSteps = std::vector<CurveStep>;
 
-/// The segments that bound no polygon, chained. A curve runs on through a node where just two of
-/// them meet and no polygon does, and ends at all others, or where it began. It starts at its
-/// lowest node, or lower end, and runs towards the lower neighbour; curves ascend by their nodes.
+/// Chains the segments that bound no polygon. A curve runs on through a node where just two of them
+/// meet and no polygon does, and ends at all others, or where it began. It starts at its lowest
+/// node, or lower end, and runs towards the lower neighbour; curves ascend by their nodes.
 std::vector<CurveSteps> chain_curves(const CellComplex& complex);
 
-/// For each node whether a polygon has it as a corner.
+/// Returns for each node whether a polygon has it as a corner.
 std::vector<bool> corners_of_polygons(const CellComplex& complex);
 
-/// For each segment whether it is an edge of a polygon.
+/// Returns for each segment whether it is an edge of a polygon.
 std::vector<bool> edges_of_polygons(const CellComplex& complex);
 
-/// Whether a curve ends where it began.
+/// True if a curve ends where it began.
 inline bool is_closed(const CurveSteps& curve) {
   return curve.front().from == curve.back().to;
 }

@@ -38,7 +38,7 @@ void add_curves(const CellComplex& complex, MeshIntersection& result) {
   }
 }
 
-/// For each polygon the lowest one of its patch.
+/// Returns for each polygon the lowest one of its patch.
 std::vector<std::uint32_t> patches_of(const CellComplex& complex) {
   contacts::DisjointSets sets(complex.polygons.size());
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> by_edge;

@@ -13,7 +13,7 @@ bool is_lower(const Eigen::Vector3d& p, const Eigen::Vector3d& q) {
   return std::lexicographical_compare(p.data(), p.data() + 3, q.data(), q.data() + 3);
 }
 
-/// Without negative zeros, so that equal positions are equal bit for bit.
+/// Returns a placed vertex without negative zeros, so that equal positions are equal bit for bit.
 Eigen::Vector3d placed_corner(const PlacedMeshView& placed, std::uint32_t vertex) {
   Eigen::Vector3d p = narrowphase::place(placed.pose, placed.mesh.vertices()[vertex]);
   for (int k = 0; k < 3; ++k)

@@ -10,12 +10,12 @@
 
 namespace graze::contacts {
 
-/// What a placed triangle is made of: itself, or, if it has no area, the one or two edges between
+/// The elements of a placed triangle: itself, or, if it has no area, the one or two edges between
 /// its corners, or the point that it is. So an edge that a triangle without area shares with one of
 /// its neighbours is an edge of both.
 struct Elements {
   std::array<std::array<std::uint32_t, 3>, 2>
-      corners;  ///< ascending; an edge repeats one number, a point all
+      corners;  ///< the corners of each, ascending; an edge repeats one number, a point all
   int count;
 
   bool has_area() const { return corners[0][0] != corners[0][1] && corners[0][1] != corners[0][2]; }
@@ -25,7 +25,7 @@ struct Elements {
 /// 0 are one) have one number, and the numbers ascend with the positions, lexicographically.
 class PlacedCorners {
  public:
-  /// `triangles` ascend.
+  /// Places the corners of these triangles, which ascend.
   PlacedCorners(const PlacedMeshView& placed, std::vector<std::uint32_t> triangles);
 
   const Eigen::Vector3d& position(std::uint32_t corner) const { return positions_[corner]; }
@@ -33,17 +33,17 @@ class PlacedCorners {
   std::span<const std::uint32_t> triangles() const { return triangles_; }
   std::size_t count() const { return positions_.size(); }
 
-  /// The corners' numbers in the order of the mesh's own indices.
+  /// Returns the corners' numbers in the order of the mesh's own indices.
   const std::array<std::uint32_t, 3>& corners(std::uint32_t triangle) const {
     return corners_[slot_of(triangle)];
   }
 
-  /// The convex hull of the corners of a feature.
+  /// Returns the convex hull of the corners of a feature.
   Triangle hull(const std::array<std::uint32_t, 3>& corner) const;
   Triangle hull(const FeatureName& feature) const;
 
-  /// An order of meshes, by positions and then by triangles: of two that are not alike one is
-  /// first.
+  /// True if this mesh is first in an order by positions and then by triangles: of two that are not
+  /// alike one is.
   bool is_before(const PlacedCorners& other) const;
 
  private:

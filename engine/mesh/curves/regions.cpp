@@ -15,7 +15,7 @@ DisjointSets connected_nodes(const CellComplex& complex) {
   return sets;
 }
 
-/// For each node whether one end of one curve is all that is there.
+/// Returns for each node whether one end of one curve is all that is there.
 std::vector<bool> loose_ends(const CellComplex& complex, const std::vector<CurveSteps>& curves) {
   std::vector<int> ends(complex.nodes.size());
   for (const CurveSteps& curve : curves) {

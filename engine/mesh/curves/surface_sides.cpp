@@ -15,7 +15,7 @@ Sign side_of_plane(const PlacedCorners& corners, std::uint32_t triangle,
                                      corners.position(c[2]).data(), point.data());
 }
 
-/// The corner of a triangle that is not on one of its edges.
+/// Returns the corner of a triangle that is not on one of its edges.
 std::uint32_t opposite(const Elements& triangle, const FeatureName& edge) {
   for (std::uint32_t corner : triangle.corners[0]) {
     if (corner != edge.corner[0] && corner != edge.corner[1]) return corner;
@@ -55,7 +55,7 @@ SurfaceSide SurfaceSides::side_of(const Eigen::Vector3d& point, const FeatureNam
   if (!is_at(1) || is_at(2)) return SurfaceSide::Unknown;
   const std::uint32_t neighbour = first_at[1].second;
   const Sign second = side_of_plane(corners_, neighbour, point);
-  // Behind both planes of a convex edge, or behind either of a concave one.
+  // The inside is behind both planes of a convex edge, or behind either of a concave one.
   const std::uint32_t corner = opposite(corners_.elements(neighbour), feature);
   const bool is_concave =
       side_of_plane(corners_, triangle, corners_.position(corner)) == Sign::Positive;

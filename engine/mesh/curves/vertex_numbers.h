@@ -6,8 +6,9 @@
 
 namespace graze::contacts {
 
-/// A number for each of some vertices of a mesh: few of many, known by their indices. A table with
-/// open places, at most half of them taken, so that a search is one look and seldom a second.
+/// Gives a number to each of some vertices of a mesh: few of many, known by their indices. It is a
+/// table with open places, at most half of them taken, so that a search is one look and seldom a
+/// second.
 class VertexNumbers {
  public:
   static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
@@ -19,10 +20,10 @@ class VertexNumbers {
     places_.resize(places);
   }
 
-  /// kNone for a vertex without a number.
+  /// Returns a vertex's number; kNone for a vertex without one.
   std::uint32_t find(std::uint32_t vertex) const { return places_[place_of(vertex)].number; }
 
-  /// Whether the vertex had no number before, and has this one now.
+  /// Gives the vertex this number unless it has one. Returns whether it had none.
   bool add(std::uint32_t vertex, std::uint32_t number) {
     Entry& place = places_[place_of(vertex)];
     if (place.number != kNone) return false;
@@ -37,7 +38,7 @@ class VertexNumbers {
     std::uint32_t number = kNone;
   };
 
-  /// Where the vertex is, or could be.
+  /// Returns the place where the vertex is, or could be.
   std::size_t place_of(std::uint32_t vertex) const {
     constexpr std::uint64_t kScatter = 0x9e3779b97f4a7c15;  // 2^64 over the golden ratio
     const std::size_t mask = places_.size() - 1;

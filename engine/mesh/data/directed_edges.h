@@ -1,7 +1,7 @@
 #pragma once
 
-// The edges of a mesh between welded vertices, as its triangles go along them. Private to the
-// library.
+// These are the edges of a mesh between welded vertices, as its triangles go along them. They are
+// private to the library.
 
 #include <graze/engine/mesh/data/orientation.h>
 #include <graze/engine/mesh/mesh.h>
@@ -16,15 +16,15 @@ namespace graze {
 /// An edge between welded vertices, as one triangle goes along it.
 struct DirectedEdge {
   std::uint32_t low, high;
-  bool is_ascending;  ///< from `low` to `high`
+  bool is_ascending;  ///< true if the triangle goes from `low` to `high`
   TriangleEdge of;
 };
 
-/// All of them, by their vertices, then by triangle. A triangle that repeats a welded vertex has
-/// none: it goes along its one edge both ways. O(n log n).
+/// Returns all directed edges, by their vertices, then by triangle, in O(n log n). A triangle that
+/// repeats a welded vertex has none: it goes along its one edge both ways.
 std::vector<DirectedEdge> directed_edges_of(const Mesh& mesh);
 
-/// Calls `on_edge(those)` with what goes along each edge, in the order of the edges.
+/// Calls `on_edge(those)` with the directed edges of each edge, in the order of the edges.
 template <typename OnEdge>
 void for_each_edge(std::span<const DirectedEdge> edges, OnEdge&& on_edge) {
   for (std::size_t first = 0, last = 0; first < edges.size(); first = last) {
@@ -35,7 +35,7 @@ void for_each_edge(std::span<const DirectedEdge> edges, OnEdge&& on_edge) {
   }
 }
 
-/// How many more triangles go from the lower vertex to the higher than back.
+/// Returns how many more triangles go from the lower vertex to the higher than back.
 inline long excess_of(std::span<const DirectedEdge> of_one_edge) {
   long excess = 0;
   for (const DirectedEdge& edge : of_one_edge)

@@ -14,7 +14,7 @@
 namespace graze {
 namespace {
 
-/// The positions that triangles use, each vertex once.
+/// Returns the positions that triangles use, each vertex once.
 std::vector<Eigen::Vector3d> used_vertices(const Mesh& mesh) {
   std::vector<bool> is_used(mesh.vertices().size(), false);
   for (const TriangleIndices& triangle : mesh.triangles()) {
@@ -28,7 +28,7 @@ std::vector<Eigen::Vector3d> used_vertices(const Mesh& mesh) {
   return used;
 }
 
-/// Neumaier's sum: what each addition rounds off is added up beside it.
+/// Neumaier's sum: the rounding errors of all additions are added up beside it.
 class CompensatedSum {
  public:
   void add(double term) {

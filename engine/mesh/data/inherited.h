@@ -1,6 +1,6 @@
 #pragma once
 
-// Private to engine/mesh.
+// This is private to engine/mesh.
 
 #include <memory>
 #include <mutex>
@@ -8,8 +8,8 @@
 
 namespace graze {
 
-/// What a deformed mesh has from the one before it until it has made its own of it. Meshes that are
-/// deformed again and again hand it on, and none holds the one before it.
+/// Holds what a deformed mesh has from the one before it until it has made its own of it. Meshes
+/// that are deformed again and again hand it on, and none holds the one before it.
 template <typename Stock>
 class Inherited {
  public:
@@ -18,7 +18,7 @@ class Inherited {
     stock_ = std::move(stock);
   }
 
-  /// Nothing if there is none, or it has been given up.
+  /// Returns the stock; nothing if there is none, or if it has been given up.
   std::shared_ptr<const Stock> get() const {
     const std::scoped_lock lock(mutex_);
     return stock_;

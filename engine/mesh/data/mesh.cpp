@@ -46,7 +46,7 @@ std::vector<TriangleIndices> checked_triangles(std::span<const Indices> triangle
 
 Aabb bounds_of(std::span<const Eigen::Vector3d> vertices,
                std::span<const TriangleIndices> triangles) {
-  // A box for each corner: with one alone every step would wait for the one before.
+  // There is a box for each corner: with one alone every step would wait for the one before.
   const Eigen::Vector3d& any = vertices[triangles[0][0]];
   Aabb boxes[3] = {{any, any}, {any, any}, {any, any}};
   for (const TriangleIndices& triangle : triangles) {

@@ -1,6 +1,6 @@
 #pragma once
 
-// What the handles of one mesh share. Private to engine/mesh.
+// The handles of one mesh share this data. It is private to engine/mesh.
 
 #include <graze/bvh/skins/float_volumes.h>
 #include <graze/bvh/tree/tree.h>
@@ -22,14 +22,15 @@
 
 namespace graze {
 
-/// A binary tree, and what its subtrees cost when they were built: nothing if that was when they
-/// came to be.
+/// A binary tree, and the costs of its subtrees when they were built; there are none if that was
+/// when they came to be.
 struct AgedTree {
   bvh::Tree tree;
   std::vector<float> costs;
 };
 
-/// Made by the constructor, but for what is computed when first asked for, each behind its flag.
+/// The data of a mesh. The constructor makes it, but for what is computed when first asked for,
+/// each behind its flag.
 struct Mesh::Data {
   template <typename Volume>
   struct Skin {
@@ -38,15 +39,19 @@ struct Mesh::Data {
   };
 
   std::vector<Eigen::Vector3d> vertices;
-  std::shared_ptr<const std::vector<TriangleIndices>> shared_triangles;  ///< of all deformations
+  std::shared_ptr<const std::vector<TriangleIndices>> shared_triangles;  ///< those of all
+                                                                         ///< deformations
   std::span<const TriangleIndices> triangles;
-  Aabb bounds;                                                  ///< of a patch that of the whole
+  Aabb bounds;                                                  ///< those of the mesh; of a patch,
+                                                                ///< those of the whole
   MeshBall ball;                                                ///< around all vertices
   std::shared_ptr<const std::vector<std::uint16_t>> materials;  ///< nullptr if there are none
 
-  std::vector<std::uint32_t> vertex_numbers;    ///< of a patch, in the whole; else empty
-  std::vector<std::uint32_t> triangle_numbers;  ///< likewise
-  std::vector<std::uint8_t> is_rim;             ///< of a patch, by vertex; see MeshPatch
+  std::vector<std::uint32_t> vertex_numbers;    ///< the numbers of a patch's vertices in the whole;
+                                                ///< else empty
+  std::vector<std::uint32_t> triangle_numbers;  ///< the numbers of a patch's triangles in the
+                                                ///< whole; else empty
+  std::vector<std::uint8_t> is_rim;             ///< for each vertex of a patch, see MeshPatch
 
   mutable std::once_flag tree_flag;
   mutable std::atomic<bool> is_tree_made = false;
@@ -73,13 +78,13 @@ struct Mesh::Data {
   mutable Topology topology;
   mutable std::vector<std::uint32_t> component_vertices;
 
-  /// What a deformation of this mesh can make its trees of: this mesh's own, or what these would
-  /// have been made of; nothing if there are none. Safe beside queries.
+  /// Return what a deformation of this mesh can make its trees of: this mesh's own, or what these
+  /// would have been made of; nothing if there are none. They may be called beside queries.
   std::shared_ptr<const AgedTree> tree_to_inherit() const;
   std::shared_ptr<const bvh::WideStock> wide_to_inherit() const;
 };
 
-/// The way to what the handles share, for the sources of this room.
+/// The way to the data that the handles share, for the sources of this folder.
 struct MeshAccess {
   static const Mesh::Data& data(const Mesh& mesh) { return *mesh.data_; }
   static std::shared_ptr<Mesh::Data> new_data() { return std::make_shared<Mesh::Data>(); }

@@ -1,11 +1,11 @@
-// The ray in the frame of the mesh's tree, by the derivation of relative_frame.cpp, whose names
-// these are. A point p of a placed triangle has y = R^T (p - P) within 3 dev r + 3.5 placing of the
-// node's box, and one of the ray, o + s d, has y = R^T (o - P) + s R^T d. The first term as
-// computed is off by 10 u |o - P|, components of the second, |d| being less than 4, by 28 u; the
-// walk takes components below 2^-60 for that, and moves the origin to the mesh, which rounds no
-// more than the first term. A ray point near enough to meet the mesh has s < 4 r + 4 |R^T (o - P)|,
-// as the largest component of R^T d is more than 1/2. So 3 dev r + 4 placing + 256 u (r + |o - P|)
-// covers all, the last term of which the walk adds (bvh/rays/ray_start-inl.h).
+// The ray is taken into the frame of the mesh's tree, by the derivation of relative_frame.cpp,
+// whose names these are. A point p of a placed triangle has y = R^T (p - P) within 3 dev r + 3.5
+// placing of the node's box, and one of the ray, o + s d, has y = R^T (o - P) + s R^T d. The first
+// term as computed is off by 10 u |o - P|, components of the second, |d| being less than 4, by 28
+// u; the walk takes components below 2^-60 for that, and moves the origin to the mesh, which rounds
+// no more than the first term. A ray point near enough to meet the mesh has s < 4 r + 4 |R^T (o -
+// P)|, as the largest component of R^T d is more than 1/2. So 3 dev r + 4 placing + 256 u (r + |o -
+// P|) covers all, the last term of which the walk adds (bvh/rays/ray_start-inl.h).
 
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/bvh/rays/large_pages.h>
@@ -24,7 +24,7 @@
 namespace graze {
 namespace {
 
-/// Law 5's local coordinates of triangles' corners.
+/// Gives law 5's local coordinates of triangles' corners.
 class RayCorners : public bvh::LocalCorners {
  public:
   RayCorners(const Mesh& mesh, const bvh::LocalFrame& frame)
@@ -84,9 +84,9 @@ const MeshRays& rays_of(const Mesh& mesh, Work* work) {
   const bvh::Tree& tree = tree_of(mesh, work);
   std::call_once(data.rays_flag, [&] {
     bvh::in_standard_arithmetic([&] {
-      // Isolated, as the building of the tree is.
+      // The task is isolated, as the building of the tree is.
       tbb::this_task_arena::isolate([&] {
-        // What of a mesh rays read, wherever they hit.
+        // These are the parts of a mesh that rays read, wherever they hit.
         bvh::move_to_large_pages(mesh.vertices().data(), mesh.vertices().size_bytes());
         bvh::move_to_large_pages(mesh.triangles().data(), mesh.triangles().size_bytes());
         bvh::move_to_large_pages(tree.primitives.data(),

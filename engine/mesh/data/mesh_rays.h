@@ -1,6 +1,6 @@
 #pragma once
 
-// What rays need of a mesh, and of how it is placed. Private to the library.
+// Rays need this of a mesh, and of how it is placed. It is private to the library.
 
 #include <graze/bvh/rays/ray_frame.h>
 #include <graze/bvh/rays/ray_tree.h>
@@ -13,16 +13,17 @@ namespace graze {
 
 struct Work;
 
-/// Made when a ray first asks for it, of the binary tree, O(n): up to 20 bytes a triangle more.
+/// The tree for rays, which is made of the binary tree when a ray first asks for it, in O(n). It
+/// takes up to 20 bytes a triangle more.
 struct MeshRays {
   bvh::RayTree tree;
-  bvh::RayFrame at_rest;  ///< the frame under a pose that is none
+  bvh::RayFrame at_rest;  ///< the frame under the identity
 };
 const MeshRays& rays_of(const Mesh& mesh, Work* work = nullptr);
 
-/// Bit for bit.
+/// True if the pose is the identity, bit for bit.
 inline bool is_identity(const Pose& pose) {
-  // Each ray asks: a call of memcmp() takes longer.
+  // This is not a call of memcmp(), which takes longer: each ray asks.
   constexpr auto kOne = std::bit_cast<std::uint64_t>(1.0);
   std::uint64_t differences = 0;
   for (int i = 0; i < 16; ++i)
@@ -30,8 +31,8 @@ inline bool is_identity(const Pose& pose) {
   return differences == 0;
 }
 
-/// The frame of a placed mesh's tree. Throws PoseError for a pose that is refused by law 10 or by
-/// law 1.
+/// Returns the frame of a placed mesh's tree. Throws PoseError for a pose that is refused by law 10
+/// or by law 1.
 bvh::RayFrame ray_frame_of(const PlacedMeshView& placed, const bvh::LocalFrame& local);
 
 }  // namespace graze

@@ -10,7 +10,7 @@
 namespace graze {
 namespace {
 
-/// Says the local box of a triangle.
+/// Computes the local box of a triangle.
 class TriangleBoxes {
  public:
   TriangleBoxes(std::span<const Eigen::Vector3d> vertices,
@@ -35,7 +35,7 @@ bvh::Tree tree_over(std::span<const Eigen::Vector3d> vertices,
       bvh::references_made(triangles.size(), TriangleBoxes(vertices, triangles, frame)), frame);
 }
 
-/// The older tree over the same triangles where they are now.
+/// Returns the older tree over the same triangles where they are now.
 AgedTree refitted(const AgedTree& older, std::span<const Eigen::Vector3d> vertices,
                   std::span<const TriangleIndices> triangles, const Aabb& bounds, Work* work) {
   AgedTree aged = older;
@@ -80,7 +80,7 @@ void fit_once(Skin& skin, const Mesh& mesh, Work* work, const Fit& fit) {
 }  // namespace
 
 std::shared_ptr<const AgedTree> Mesh::Data::tree_to_inherit() const {
-  // In this order: once it has been given up, the mesh's own is there.
+  // The order matters: once the older tree has been given up, the mesh's own is there.
   std::shared_ptr<const AgedTree> older = older_tree.get();
   return is_tree_made.load(std::memory_order_acquire) ? tree : older;
 }
@@ -89,9 +89,9 @@ const bvh::Tree& tree_of(const Mesh& mesh, Work* work) {
   const auto& data = MeshAccess::data(mesh);
   std::call_once(data.tree_flag, [&] {
     bvh::in_standard_arithmetic([&] {
-      // Isolated, because a thread that waits for the parallel build would otherwise take up any
-      // task, such as another query on this mesh, which would wait for the flag that this thread
-      // holds.
+      // The task is isolated, because a thread that waits for the parallel build would otherwise
+      // take up any task, such as another query on this mesh, which would wait for the flag that
+      // this thread holds.
       const std::shared_ptr<const AgedTree> older = data.older_tree.get();
       tbb::this_task_arena::isolate([&] {
         data.tree = std::make_shared<const AgedTree>(
@@ -107,7 +107,7 @@ const bvh::Tree& tree_of(const Mesh& mesh, Work* work) {
 }
 
 std::shared_ptr<const bvh::WideStock> Mesh::Data::wide_to_inherit() const {
-  // In this order: once it has been given up, the mesh's own is there.
+  // The order matters: once the older tree has been given up, the mesh's own is there.
   std::shared_ptr<const bvh::WideStock> older = older_wide.get();
   if (!is_wide_made.load(std::memory_order_acquire)) return older;
   return std::make_shared<const bvh::WideStock>(wide->stock());
@@ -115,13 +115,13 @@ std::shared_ptr<const bvh::WideStock> Mesh::Data::wide_to_inherit() const {
 
 const bvh::WideTree& wide_tree_of(const Mesh& mesh, Work* work) {
   const auto& data = MeshAccess::data(mesh);
-  // Each query asks: call_once() takes longer to say that there is nothing to do.
+  // Each query asks here first: call_once() takes longer to say that there is nothing to do.
   if (data.is_wide_made.load(std::memory_order_acquire)) return *data.wide;
   std::call_once(data.wide_flag, [&] {
     bvh::in_standard_arithmetic([&] {
       data.corners = std::make_unique<bvh::CornerSource>(data.vertices, data.triangles);
       const std::shared_ptr<const bvh::WideStock> older = data.older_wide.get();
-      // Isolated, as the building of the tree is.
+      // The task is isolated, as the building of the tree is.
       tbb::this_task_arena::isolate([&] {
         data.wide = older != nullptr
                         ? std::make_unique<bvh::WideTree>(data.bounds, *data.corners, *older)

@@ -1,7 +1,7 @@
 #pragma once
 
-// What queries walk of a mesh: each part is made by whoever asks for it first, and shared by all
-// handles to the mesh. Private to the library.
+// Queries walk these parts of a mesh: each is made by whoever asks for it first, and shared by all
+// handles to the mesh. They are private to the library.
 
 #include <graze/engine/mesh/mesh.h>
 
@@ -19,23 +19,24 @@ struct FloatKDop;
 struct VertexFans;
 struct Work;
 
-/// The hierarchy over the triangles, built when first asked for, O(n log n), or, of a deformed
-/// mesh, fitted to the one before. The call that does it counts that in `work`.
+/// Returns the hierarchy over the triangles. It is built when first asked for, in O(n log n), or,
+/// for a deformed mesh, fitted to the one before. The call that does it counts that in `work`.
 const bvh::Tree& tree_of(const Mesh& mesh, Work* work = nullptr);
 
-/// The same hierarchy in wide nodes, whose parts are built when a query first walks them.
+/// Returns the same hierarchy in wide nodes, whose parts are built when a query first walks them.
 const bvh::WideTree& wide_tree_of(const Mesh& mesh, Work* work = nullptr);
 
-/// Whether anything of either has been built, by whoever asked. Builds nothing; O(1).
+/// True if anything of either has been built, by whoever asked. It builds nothing, and takes O(1).
 bool has_tree(const Mesh& mesh);
 
-/// The skins of the tree: one volume for each of its nodes, in the tree's frame. Fitted when first
-/// asked for, O(n log n), which the call that does it counts in `work`.
+/// Return the skins of the tree: one volume for each of its nodes, in the tree's frame. They are
+/// fitted when first asked for, in O(n log n), which the call that does it counts in `work`.
 std::span<const bvh::FloatSphere> sphere_skin_of(const Mesh& mesh, Work* work = nullptr);
 std::span<const bvh::FloatObb> obb_skin_of(const Mesh& mesh, Work* work = nullptr);
 std::span<const bvh::FloatKDop> kdop_skin_of(const Mesh& mesh, Work* work = nullptr);
 
-/// The triangles around each welded vertex. Computed when first asked for, O(n log n).
+/// Returns the triangles around each welded vertex. They are found when first asked for, in O(n log
+/// n).
 const VertexFans& vertex_fans_of(const Mesh& mesh);
 
 }  // namespace graze

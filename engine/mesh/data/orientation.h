@@ -1,6 +1,7 @@
 #pragma once
 
-// Whether the triangles of a mesh tell inside from outside. Private to the library.
+// This tells whether the triangles of a mesh tell inside from outside. It is private to the
+// library.
 
 #include <graze/engine/mesh/mesh.h>
 
@@ -15,15 +16,17 @@ struct TriangleEdge {
   int k;
 };
 
-/// Where triangles at an edge do not go on from each other: the first in the order of triangles.
+/// The first edges, in the order of triangles, at which triangles do not go on from each other.
 struct Orientation {
-  /// Not as many triangles go along it as against it: the surface ends there, or turns round.
+  /// The first edge along which not as many triangles go as against it: the surface ends there, or
+  /// turns round.
   std::optional<TriangleEdge> unpaired;
-  /// At least two more go one way than the other: their fronts are on different sides.
+  /// The first edge along which at least two more triangles go one way than the other: their fronts
+  /// are on different sides.
   std::optional<TriangleEdge> turned;
 };
 
-/// Computed when it is first asked for. O(n log n).
+/// Returns the orientation. It is computed when it is first asked for, in O(n log n).
 const Orientation& orientation_of(const Mesh& mesh);
 
 }  // namespace graze

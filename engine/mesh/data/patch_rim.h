@@ -1,12 +1,12 @@
 #pragma once
 
-// Whether contacts of two meshes, of which one is a patch of a larger surface, depend on what lies
-// beyond the patch. Private to the library.
+// This tells whether contacts of two meshes, of which one is a patch of a larger surface, depend on
+// what lies beyond the patch. It is private to the library.
 
 namespace graze {
 
-/// Notes of this thread: where a surface is followed (InnerSurface::grow()) to where a patch ends
-/// and the whole goes on (MeshPatch::is_rim), the patch was too small.
+/// Notes for this thread whether a patch was too small: whether a surface was followed
+/// (InnerSurface::grow()) to where the patch ends and the whole goes on (MeshPatch::is_rim).
 class PatchRim {
  public:
   static void forget() { is_met() = false; }

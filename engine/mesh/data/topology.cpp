@@ -12,7 +12,7 @@ namespace {
 
 using Edge = std::pair<std::uint32_t, std::uint32_t>;
 
-/// Each vertex with the lowest index among those in its position. Positions are compared as
+/// Returns for each vertex the lowest index among those in its position. Positions are compared as
 /// numbers: -0 and 0 are one.
 std::vector<std::uint32_t> weld(const std::vector<Eigen::Vector3d>& vertices) {
   std::vector<std::uint32_t> order(vertices.size());
@@ -63,7 +63,7 @@ std::uint64_t count_odd(std::vector<Edge>& edges) {
   return odd;
 }
 
-/// Fills `component_vertices` with one vertex of each component.
+/// Counts the topology, and fills `component_vertices` with one vertex of each component.
 Topology topology_of(std::span<const TriangleIndices> triangles,
                      std::span<const std::uint32_t> welded,
                      std::vector<std::uint32_t>& component_vertices) {

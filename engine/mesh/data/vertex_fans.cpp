@@ -11,7 +11,8 @@ VertexFans fans_of(std::span<const TriangleIndices> triangles,
     for (std::uint32_t vertex : triangle)
       ++fans.first[welded[vertex]];
   }
-  // Where each vertex's triangles end; then filled from there backwards.
+  // This is at first where each vertex's triangles end; then they are filled in from there
+  // backwards.
   std::uint32_t end = 0;
   for (std::uint32_t& first : fans.first)
     first = end += first;

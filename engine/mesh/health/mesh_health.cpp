@@ -22,8 +22,8 @@ namespace {
 
 using narrowphase::Sign;
 
-/// What crosses or touches: pairs of closed surfaces, and parts that others of their own surface
-/// do, or they themselves.
+/// The pairs of closed surfaces that cross or touch, and the parts that others of their own
+/// surface, or they themselves, cross or touch.
 struct Met {
   std::unordered_set<std::uint64_t> surfaces;
   std::unordered_set<std::uint32_t> crossed;
@@ -99,7 +99,7 @@ Met list_crossings(const Mesh& mesh, const MeshParts& parts, const CheckSettings
   return met;
 }
 
-/// The first triangle that has area.
+/// Returns the first triangle that has area.
 std::optional<Triangle> face_of(const Mesh& mesh, std::span<const std::uint32_t> triangles) {
   for (const std::uint32_t index : triangles) {
     const Triangle triangle = mesh.triangle(index);
@@ -108,7 +108,7 @@ std::optional<Triangle> face_of(const Mesh& mesh, std::span<const std::uint32_t>
   return std::nullopt;
 }
 
-/// The closed surfaces that enclose a point beside a triangle, ascending.
+/// Returns the closed surfaces that enclose a point beside a triangle, ascending.
 std::vector<std::uint32_t> surfaces_around(const narrowphase::FaceSample& sample, const Mesh& mesh,
                                            const MeshParts& parts, Work& work) {
   std::vector<std::uint32_t> crossed;
@@ -131,9 +131,10 @@ bool holds(const std::vector<std::uint32_t>& list, std::uint32_t entry) {
   return std::binary_search(list.begin(), list.end(), entry);
 }
 
-/// A part is judged beside one of its triangles. An oriented one faces outwards as the sign of its
-/// volume says; another one if the surface that it is of encloses what is behind it there, which is
-/// so all over it unless something of that surface crosses it.
+/// Lists the parts that are inside out. A part is judged beside one of its triangles. An oriented
+/// one faces outwards as the sign of its volume says; another one if the surface that it is of
+/// encloses what is behind it there, which is so all over it unless something of that surface
+/// crosses it.
 void list_inside_out(const Mesh& mesh, const MeshParts& parts, const Met& met, Work& work,
                      MeshHealth& health) {
   for (std::uint32_t part = 0; part < parts.size(); ++part) {

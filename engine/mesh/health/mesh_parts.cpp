@@ -29,7 +29,7 @@ void number_parts(contacts::DisjointSets& sets, MeshParts& parts) {
 
 /// Marks the parts of which more triangles go along this edge one way than the other.
 void mark_unbalanced(std::span<const DirectedEdge> edge, MeshParts& parts) {
-  if (edge.size() == 2) {  // both of one part
+  if (edge.size() == 2) {  // both triangles are of one part
     if (excess_of(edge) == 0) return;
     const std::uint32_t part = parts.part_of[edge[0].of.triangle];
     parts.is_oriented[part] = parts.is_consistent[part] = false;
@@ -48,8 +48,8 @@ void mark_unbalanced(std::span<const DirectedEdge> edge, MeshParts& parts) {
   }
 }
 
-/// The parts that are not oriented at an edge, once for each of their triangles there, by their
-/// surfaces so far; ascending.
+/// Returns the parts that are not oriented at an edge, once for each of their triangles there, by
+/// their surfaces so far; ascending.
 std::vector<std::uint32_t> surfaces_at(std::span<const DirectedEdge> edge, const MeshParts& parts,
                                        contacts::DisjointSets& surfaces) {
   std::vector<std::uint32_t> at;

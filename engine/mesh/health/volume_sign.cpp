@@ -17,17 +17,18 @@ using narrowphase::Sign;
 
 constexpr double kUnitRoundoff = 0x1p-53;
 
-// Sums of sizes below this: no product of three differences has overflowed.
+// The bound holds for sums of sizes below this: no product of three differences has overflowed.
 constexpr double kLargest = 0x1p+1000;
 
-/// Six times the volume as a sum of determinants about a corner, each of six products of three
-/// differences. A product carries at most eight roundings, of three differences, two products, one
-/// subtraction and two sums, so that a determinant of n is off by at most 8.01 u times the sum of
-/// its products' sizes, and the sum of n of them by another (n - 1) 1.01 u times that. The sizes
-/// themselves are short by at most 9 roundings each and n for their sum; 2 (n + 8) u covers all,
-/// for n u is below 2^-21. Underflow takes half of the least double from each of six products of
-/// two, which are then multiplied by a difference, and from three more: for each triangle less than
-/// 6 |the largest difference| + 3 of these, and from the bound itself one; 8 and 8 cover it.
+/// Returns the sign of six times the volume, if rounding leaves it sure. The volume is a sum of
+/// determinants about a corner, each of six products of three differences. A product carries at
+/// most eight roundings, of three differences, two products, one subtraction and two sums, so that
+/// a determinant of n is off by at most 8.01 u times the sum of its products' sizes, and the sum of
+/// n of them by another (n - 1) 1.01 u times that. The sizes themselves are short by at most 9
+/// roundings each and n for their sum; 2 (n + 8) u covers all, for n u is below 2^-21. Underflow
+/// takes half of the least double from each of six products of two, which are then multiplied by a
+/// difference, and from three more: for each triangle less than 6 |the largest difference| + 3 of
+/// these, and from the bound itself one; 8 and 8 cover it.
 std::optional<Sign> rounded_sign(const Mesh& mesh, std::span<const std::uint32_t> triangles) {
   const Eigen::Vector3d origin = mesh.triangle(triangles.front()).a;
   double sum = 0;

@@ -34,7 +34,7 @@ bool contains(const PlacedMeshView& placed, const Eigen::Vector3d& point, Work* 
     check_point(point, "point");
     check_placement(placed.pose, placed.mesh.bounds(), "pose of the mesh");
     check_closed(placed.mesh, "the mesh");
-    // The identity changes no vertex (law 1), and what lies where it was needs no frames.
+    // The identity changes no vertex (law 1), and a mesh that stays where it was needs no frames.
     const bool is_in_place = placed.pose.matrix() == Eigen::Matrix4d::Identity();
     if (is_in_place && !is_within(placed.mesh.bounds(), point)) return false;
     CountedWork counted(work);

@@ -11,7 +11,7 @@
 namespace graze {
 namespace {
 
-/// All that lies beyond the point on its ray, rounded outward.
+/// Returns the box around all that lies beyond the point on its ray, rounded outward.
 bvh::FloatBox box_along(const AxisRay& direction, const bvh::LocalFrame& frame,
                         const Eigen::Vector3d& point) {
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
@@ -24,7 +24,7 @@ bvh::FloatBox box_along(const AxisRay& direction, const bvh::LocalFrame& frame,
   return box;
 }
 
-/// Of a mesh that is not closed, in the order of triangles.
+/// Returns the first boundary edge, in the order of triangles, of a mesh that is not closed.
 TriangleEdge first_boundary_edge(const Mesh& mesh) {
   TriangleEdge first{std::numeric_limits<std::uint32_t>::max(), 0};
   for_each_edge(directed_edges_of(mesh), [&](std::span<const DirectedEdge> edge) {
@@ -53,7 +53,8 @@ void check_closed(const Mesh& mesh, const char* what) {
 
 namespace {
 
-/// By `crossing(triangle)`, which speaks of the line along the ray's axis.
+/// Calls `on_crossed` for each triangle that crosses the ray, as `crossing(triangle)` says about
+/// the line along its axis.
 template <typename Crossing, typename OnCrossed>
 void for_each_crossed(const Mesh& mesh, const Eigen::Vector3d& point, const AxisRay& direction,
                       Work& work, Crossing&& crossing, OnCrossed&& on_crossed) {

@@ -1,6 +1,6 @@
 #pragma once
 
-// What the counts of crossings share. Private to engine/mesh.
+// The counts of crossings share this. It is private to engine/mesh.
 
 #include <graze/bvh/traverse/traverse_volume.h>
 #include <graze/bvh/tree/tree.h>
@@ -19,8 +19,8 @@ struct AxisRay {
   narrowphase::LineCrossing side;
 };
 
-/// The one that leaves the bounds soonest. Any would do: in a closed mesh the numbers of crossings
-/// above and below a point are both odd or both even, along every axis.
+/// Returns the ray that leaves the bounds soonest. Any would do: in a closed mesh the numbers of
+/// crossings above and below a point are both odd or both even, along every axis.
 inline AxisRay shortest_ray(const Aabb& bounds, const Eigen::Vector3d& point) {
   using narrowphase::LineCrossing;
   AxisRay direction{0, LineCrossing::Above};
@@ -34,8 +34,8 @@ inline AxisRay shortest_ray(const Aabb& bounds, const Eigen::Vector3d& point) {
   return direction;
 }
 
-/// How triangles cross the line of a moved point along an axis, and whether the point itself lies
-/// on one: nodes that are apart from its ray are apart from it.
+/// Finds how triangles cross the line of a moved point along an axis, and whether the point itself
+/// lies on one: nodes that are apart from its ray are apart from it.
 class CrossingsAndContacts {
  public:
   CrossingsAndContacts(const Eigen::Vector3d& point, int axis, Work& work)
@@ -49,7 +49,7 @@ class CrossingsAndContacts {
   bool is_on() const { return is_on_; }
 
  private:
-  /// Whether the box of a triangle holds the point.
+  /// True if the box of a triangle holds the point.
   bool is_around(const Triangle& triangle) const {
     bool is_around = true;
     for (int k = 0; k < 3; ++k) {
@@ -95,7 +95,7 @@ void for_each_crossed(const bvh::Tree& tree, Apart&& is_apart, CrossingAt&& cros
   bvh::traverse_volume(tree, is_counted_apart, count_leaf);
 }
 
-/// Whether an odd number of triangles do.
+/// True if an odd number of triangles cross the ray.
 template <typename Apart, typename CrossingAt>
 bool is_crossed_oddly(const bvh::Tree& tree, Apart&& is_apart, CrossingAt&& crossing_at,
                       const AxisRay& direction, Work& work) {

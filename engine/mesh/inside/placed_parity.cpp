@@ -1,7 +1,7 @@
-// Crossings of placed triangles, counted in the frame of the question. A triangle that crosses the
-// moved line for every small e meets, closed as it is, the line through the point itself, and on
-// the same side: so nodes that are apart from that ray by law 5's slack hold none. The ray is
-// handed to relative_frame() as a flat box, of which it knows what placed triangles meet.
+// This counts crossings of placed triangles, in the frame of the question. A triangle that crosses
+// the moved line for every small e meets, closed as it is, the line through the point itself, and
+// on the same side: so nodes that are apart from that ray by law 5's slack hold none. The ray is
+// handed to relative_frame() as a flat box, of which that bounds what placed triangles meet.
 
 #include <graze/bvh/skins/node_separation.h>
 #include <graze/engine/mesh/data/mesh_trees.h>
@@ -25,10 +25,10 @@ using narrowphase::LineCrossing;
 constexpr double kUnitRoundoff = 0x1p-53;
 constexpr double kLargest = std::numeric_limits<double>::max();
 
-/// A box around all points of the mesh's bounds, placed by law 1. With c and h the centre and half
-/// size of the bounds, R x + t lies within |R| h of R c + t. Law 1 rounds a placed point, and the
-/// placed centre, six times each, every time to a value of at most the largest coordinate, and the
-/// lines below round h, |R| h and the sums another ten times: 32 u of that coordinate, and
+/// Returns a box around all points of the mesh's bounds, placed by law 1. With c and h the centre
+/// and half size of the bounds, R x + t lies within |R| h of R c + t. Law 1 rounds a placed point,
+/// and the placed centre, six times each, every time to a value of at most the largest coordinate,
+/// and the lines below round h, |R| h and the sums another ten times: 32 u of that coordinate, and
 /// underflow, cover all.
 Aabb placed_bounds(const PlacedMeshView& placed) {
   const Aabb& bounds = placed.mesh.bounds();
@@ -51,7 +51,7 @@ Aabb placed_bounds(const PlacedMeshView& placed) {
   return box;
 }
 
-/// Whether a point that is somewhere in `around` may be in the box.
+/// True if a point that is somewhere in `around` may be in the box.
 bool is_within(const Aabb& box, const Aabb& around) {
   bool is_inside = true;
   for (int k = 0; k < 3; ++k) {
@@ -61,7 +61,8 @@ bool is_within(const Aabb& box, const Aabb& around) {
   return is_inside;
 }
 
-/// All that may be the point, and all beyond it on its ray, as far as the bounds.
+/// Returns a box around all that may be the point, and all beyond it on its ray, as far as the
+/// bounds.
 Aabb ray_from(const Aabb& around, const AxisRay& direction, const Aabb& bounds) {
   Aabb ray = around;
   double& low = ray.min.data()[direction.axis];
@@ -112,7 +113,7 @@ struct PointRay {
   FramedRay framed;
 };
 
-/// Whether a point that is as near as can be to one in `around` is enclosed, where
+/// True if a point that is as near as can be to one in `around` is enclosed, where
 /// `crossing(triangle, axis)` says how a placed triangle crosses its line along an axis.
 template <typename Crossing>
 bool is_enclosed_near(const PlacedMeshView& placed, const Aabb& around, Crossing&& crossing,

@@ -1,6 +1,7 @@
 #pragma once
 
-// Interior::Solid and Hit::Solid: what is asked when no surfaces touch. Private to the library.
+// These decide for Interior::Solid and Hit::Solid when no surfaces touch. They are private to the
+// library.
 
 #include <graze/engine/mesh/interior.h>
 #include <graze/engine/mesh/pair.h>
@@ -9,16 +10,17 @@
 
 namespace graze {
 
-/// Throw InputError for what is none.
+/// Throw InputError for a value that the enumeration does not have.
 void check_interior(Interior interior);
 void check_hit(Hit hit);
 
-/// Which triangles are a hit by themselves.
+/// Returns which triangles are a hit by themselves.
 Touch touch_of(Hit hit);
 
-/// For closed meshes whose placed surfaces share no point: whether either solid holds a part of the
-/// other. A connected part of one surface then lies wholly inside or wholly outside the other
-/// solid, so that one vertex decides for it. Stops at the first that is inside.
+/// True if either of two solids holds a part of the other. The meshes must be closed, and their
+/// placed surfaces must share no point. A connected part of one surface then lies wholly inside or
+/// wholly outside the other solid, so that one vertex decides for it. It stops at the first that is
+/// inside.
 bool is_either_inside(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b, Work& work);
 
 }  // namespace graze

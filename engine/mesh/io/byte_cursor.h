@@ -11,15 +11,15 @@
 
 namespace graze::mesh_io {
 
-/// Reads binary values of either byte order in one pass. A failure is a MeshError that names the
-/// byte.
+/// Reads binary values of either byte order in one pass. It throws each failure as a MeshError that
+/// names the byte.
 class ByteCursor {
  public:
   /// Begins at byte `offset`. The source must outlive the cursor.
   ByteCursor(const Source& source, std::size_t offset, std::endian order)
       : source_(source), offset_(offset), is_swapped_(order != std::endian::native) {}
 
-  /// The next value of type T. `what` names it if the file ends before.
+  /// Reads the next value of type T. `what` names it if the file ends before.
   template <typename T>
   T read(std::string_view what) {
     require(sizeof(T), what);

@@ -15,7 +15,7 @@ constexpr std::size_t kMaxFirstBytes = std::size_t{1} << 30;
   fail({name, {}}, "cannot be read: " + std::generic_category().message(error));
 }
 
-/// One byte more than the file is said to have, so that one read meets its end.
+/// Returns one byte more than the file is said to have, so that one read meets its end.
 std::size_t first_size(const std::filesystem::path& path) {
   std::error_code error;
   const std::uintmax_t size = std::filesystem::file_size(path, error);

@@ -17,11 +17,11 @@ struct Format {
 
 std::span<const Format> all_formats();
 
-/// Where each triangle of a mesh file stands: the line or the byte at which its polygon begins.
-/// Throws MeshError as load_mesh() does.
+/// Returns where each triangle of a mesh file stands: the line or the byte at which its polygon
+/// begins. Throws MeshError as load_mesh() does.
 std::vector<Place> find_triangle_places(const std::filesystem::path& path);
 
-/// Null if there is none for this extension, which includes the dot.
+/// Returns the format of this extension, which includes the dot; null if there is none.
 const Format* find_format(std::string_view extension);
 
 }  // namespace graze::mesh_io

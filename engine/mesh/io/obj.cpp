@@ -12,14 +12,15 @@ namespace {
 
 using namespace std::string_view_literals;
 
-/// Attributes, grouping, display, points and lines: nothing that has a surface. Frequent ones
-/// first.
+/// Statements that are skipped: attributes, grouping, display, points and lines. They carry nothing
+/// that has a surface. Frequent ones come first.
 constexpr std::array kSkipped = {
     "vn"sv,       "vt"sv,       "vp"sv,     "usemtl"sv, "g"sv,          "o"sv,         "s"sv,
     "l"sv,        "p"sv,        "mtllib"sv, "mg"sv,     "usemap"sv,     "maplib"sv,    "bevel"sv,
     "c_interp"sv, "d_interp"sv, "lod"sv,    "ctech"sv,  "shadow_obj"sv, "trace_obj"sv, "stech"sv};
 
-/// Free-form curves and surfaces with what belongs to them, and the patches of older files.
+/// Statements that are errors: free-form curves and surfaces with what belongs to them, and the
+/// patches of older files.
 constexpr std::array kUnsupported = {"cstype"sv, "deg"sv,  "bmat"sv, "step"sv, "curv"sv,
                                      "curv2"sv,  "surf"sv, "parm"sv, "trim"sv, "hole"sv,
                                      "scrv"sv,   "sp"sv,   "end"sv,  "con"sv,  "bsp"sv,
@@ -40,8 +41,8 @@ class ObjReader {
   }
 
  private:
-  /// Some files, those that come with FCL among them, begin with how many vertices and faces there
-  /// are. What they say must be so.
+  /// Reads the counts of vertices and faces with which some files begin, those that come with FCL
+  /// among them. What they say must be so.
   void read_counts() {
     const std::string_view first = cursor_.peek();
     if (first.find_first_not_of("0123456789") != std::string_view::npos) return;
@@ -84,7 +85,8 @@ class ObjReader {
     const double x = cursor_.number();
     const double y = cursor_.number();
     const double z = cursor_.number();
-    // A weight, which only free-form geometry uses, or a colour. A lost line break must not pass.
+    // This is a weight, which only free-form geometry uses, or a colour. A lost line break must not
+    // pass.
     while (cursor_.has_token())
       cursor_.number();
     cursor_.end_line();
@@ -114,7 +116,7 @@ class ObjReader {
     builder_.add_corner(index < 0 ? from_end(index) : index, place);
   }
 
-  /// Index -1 is the vertex read last.
+  /// Returns the vertex of an index counted from the end: -1 is the vertex read last.
   std::int64_t from_end(std::int64_t index) const {
     const auto count = static_cast<std::int64_t>(builder_.vertex_count());
     if (index < -count) {
@@ -124,7 +126,8 @@ class ObjReader {
     return count + 1 + index;
   }
 
-  /// The indices of texture coordinate and normal, which are skipped: nothing, /t, //n or /t/n.
+  /// True if this is the rest of a corner: the indices of texture coordinate and normal, which are
+  /// skipped. It is nothing, /t, //n or /t/n.
   static bool is_corner_rest(std::string_view rest) {
     constexpr int kSlashes = 2;
     if (!rest.empty() && rest.front() != '/') return false;

@@ -6,7 +6,7 @@
 namespace graze::mesh_io {
 namespace {
 
-// The fewest bytes of a vertex and of a face, with the line's end: claimed counts make room for no
+// The fewest bytes of a vertex and of a face, with the line's end. Claimed counts make room for no
 // more than the file can hold.
 constexpr std::uint64_t kVertexBytes = 6;
 constexpr std::uint64_t kFaceBytes = 8;
@@ -16,7 +16,7 @@ struct Counts {
   std::uint64_t faces;
 };
 
-/// "OFF", or the beginning of a token up to it: some writers put the counts right behind.
+/// Reads "OFF", or the beginning of a token up to it: some writers put the counts right behind.
 void read_keyword(TextCursor& cursor) {
   cursor.require_token("\"OFF\"");
   const std::string_view keyword = cursor.token_through("OFF");
@@ -40,7 +40,8 @@ std::uint64_t read_count(TextCursor& cursor) {
   return static_cast<std::uint64_t>(count);
 }
 
-/// Vertices, faces and edges; the last, which nothing depends on, may be missing.
+/// Reads the counts of vertices, faces and edges; the last, which nothing depends on, may be
+/// missing.
 Counts read_counts(TextCursor& cursor) {
   cursor.require_token("the counts of vertices and faces");
   Counts counts{};

@@ -13,7 +13,7 @@ std::uint64_t vertex_count(const PlyHeader& header) {
   return found == header.elements.end() ? 0 : found->count;
 }
 
-/// The elements of a file, from PlyAsciiRows or PlyBinaryRows.
+/// Reads the elements of a file, from PlyAsciiRows or PlyBinaryRows.
 template <typename Rows>
 class PlyReader {
  public:

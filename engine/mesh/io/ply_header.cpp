@@ -55,7 +55,7 @@ class PlyHeaderReader {
   }
 
  private:
-  /// False behind "end_header".
+  /// Reads a statement. Returns false behind "end_header".
   bool read_statement() {
     if (!cursor_.find_token()) cursor_.fail("expected \"end_header\", but the file ends");
     const Place place = cursor_.place();

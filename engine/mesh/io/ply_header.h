@@ -11,7 +11,7 @@ namespace graze::mesh_io {
 enum class PlyType { Int8, Uint8, Int16, Uint16, Int32, Uint32, Float32, Float64 };
 enum class PlyEncoding { Ascii, BinaryLittleEndian, BinaryBigEndian };
 
-/// What a property is to a mesh.
+/// The meanings that a property may have for a mesh.
 enum class PlyRole { None, X, Y, Z, Corners };
 
 /// A column of an element: one value to a row or, with a count, a list of them.
@@ -29,13 +29,13 @@ struct PlyElement {
   std::vector<PlyProperty> properties;
 };
 
-/// Names are views of the file.
+/// The header of a file. Names are views of the file.
 struct PlyHeader {
   PlyEncoding encoding = PlyEncoding::Ascii;
   std::vector<PlyElement> elements;
 };
 
-/// Bytes of a binary value.
+/// Returns how many bytes a binary value has.
 std::size_t size_of(PlyType type);
 
 /// Reads the header and leaves the cursor at the first byte of the data. Finds coordinates and

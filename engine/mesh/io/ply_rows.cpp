@@ -31,7 +31,7 @@ void PlyAsciiRows::skip(PlyType, std::uint64_t count) {
 }
 
 std::uint64_t PlyAsciiRows::max_rows(const PlyElement& element) const {
-  // A digit and a blank, or the line's end, to each value.
+  // Each value takes a digit and a blank, or the line's end.
   return cursor_.remaining() / (2 * element.properties.size()) + 1;
 }
 
@@ -62,7 +62,7 @@ double PlyBinaryRows::number(PlyType type) {
   } else if (type == PlyType::Float32) {
     value = cursor_.read<float>(kValue);
   } else {
-    value = static_cast<double>(integer(type));  // of at most 32 bits: exact
+    value = static_cast<double>(integer(type));  // the type has at most 32 bits: this is exact
   }
   if (!std::isfinite(value)) cursor_.fail_at(place, "a coordinate is not finite");
   return value;

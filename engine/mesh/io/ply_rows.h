@@ -8,8 +8,8 @@
 
 namespace graze::mesh_io {
 
-/// The data of an ASCII file, a line to a row. Numbers are read as doubles whatever type the header
-/// gives them.
+/// Reads the data of an ASCII file, a line to a row. Numbers are read as doubles whatever type the
+/// header gives them.
 class PlyAsciiRows {
  public:
   explicit PlyAsciiRows(const TextCursor& cursor) : cursor_(cursor) {}
@@ -22,7 +22,7 @@ class PlyAsciiRows {
   std::int64_t integer(PlyType) { return cursor_.integer(); }
   void skip(PlyType, std::uint64_t count);
 
-  /// No more rows than this can follow.
+  /// Returns a bound of how many rows can follow.
   std::uint64_t max_rows(const PlyElement& element) const;
 
   /// Fails if anything but comments follows.
@@ -35,7 +35,7 @@ class PlyAsciiRows {
   TextCursor cursor_;
 };
 
-/// The data of a binary file.
+/// Reads the data of a binary file.
 class PlyBinaryRows {
  public:
   explicit PlyBinaryRows(const ByteCursor& cursor) : cursor_(cursor) {}

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-// Why ear clipping needs no proof that the polygon is simple. However n corners are cut into n - 2
+// Ear clipping needs no proof that the polygon is simple. However n corners are cut into n - 2
 // triangles, in the projection each point is covered by as many left-turning triangles, less
 // right-turning ones, as the outline winds around it. If no triangle turns right, the triangles
 // therefore cover just the points that the outline winds around, each that many times: a simple
@@ -40,9 +40,9 @@ double largest_difference(std::span<const Eigen::Vector3d> vertices,
   return largest;
 }
 
-/// Twice the area in each coordinate plane, up to a common factor: differences are scaled to about
-/// one, by a power of two, so that no product overflows, nor underflows if it matters. It only
-/// chooses a plane and a first guess at the side: rounding costs time at worst.
+/// Returns twice the area in each coordinate plane, up to a common factor: differences are scaled
+/// to about one, by a power of two, so that no product overflows, nor underflows if it matters. It
+/// only chooses a plane and a first guess at the side: rounding costs time at worst.
 Eigen::Vector3d scaled_areas(std::span<const Eigen::Vector3d> vertices,
                              std::span<const std::uint32_t> corners) {
   constexpr int kLargestExponent = 1000;
@@ -91,7 +91,7 @@ void Triangulator::triangulate(std::span<const Eigen::Vector3d> vertices,
     write_fan(corners, triangles);
     return;
   }
-  // Left must be inside. Where the guess is wrong, for a sliver, clipping gets stuck.
+  // Left must be the inside. Where the guess is wrong, for a sliver, clipping gets stuck.
   if (areas[axis] < 0) mirror();
   bool is_clipped = clip_ears();
   if (!is_clipped) {
@@ -181,8 +181,8 @@ void Triangulator::mark_ears(std::uint32_t corner, std::uint32_t left) {
     is_ear_[corner] = is_ear(corner);
 }
 
-/// The first ear from `corner` on; if there is none, the first corner without area, which only
-/// repeated or folded outlines leave to the end.
+/// Finds the first ear from `corner` on; if there is none, the first corner without area, which
+/// only repeated or folded outlines leave to the end.
 bool Triangulator::find_corner_to_cut(std::uint32_t& corner, std::uint32_t left) const {
   for (std::uint32_t i = 0; i < left; ++i, corner = next_[corner]) {
     if (is_ear_[corner]) return true;
@@ -199,8 +199,8 @@ void Triangulator::unlink(std::uint32_t corner) {
   previous_[next_[corner]] = previous_[corner];
 }
 
-/// Only the two neighbours can become ears or cease to be: for any other corner the diagonal that
-/// cuts it off is the same one, in a smaller polygon.
+/// Cuts off a corner. Only the two neighbours can become ears or cease to be: for any other corner
+/// the diagonal that cuts it off is the same one, in a smaller polygon.
 void Triangulator::cut_off(std::uint32_t corner) {
   unlink(corner);
   const std::uint32_t before = previous_[corner];

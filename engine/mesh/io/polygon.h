@@ -8,21 +8,21 @@
 
 namespace graze::mesh_io {
 
-/// Cuts polygons into triangles. Keeps its working memory from one polygon to the next.
+/// Cuts polygons into triangles. It keeps its working memory from one polygon to the next.
 ///
-/// In this order: a fan from the first corner if all its triangles turn the same way (a convex
-/// polygon); ear clipping if it comes to an end (any other simple polygon, also one with holes that
-/// are joined to its outline by an edge walked twice, with repeated corners or with spikes);
-/// otherwise, for a polygon that crosses itself or has no area, again the fan: such a polygon has
-/// no inside to keep to, but every corner stays covered.
+/// It tries in this order: a fan from the first corner if all its triangles turn the same way (a
+/// convex polygon); ear clipping if it comes to an end (any other simple polygon, also one with
+/// holes that are joined to its outline by an edge walked twice, with repeated corners or with
+/// spikes); otherwise, for a polygon that crosses itself or has no area, again the fan: such a
+/// polygon has no inside to keep to, but every corner stays covered.
 ///
 /// Turns are decided exactly, in the projection onto the coordinate plane in which the polygon's
 /// area is largest.
 class Triangulator {
  public:
   /// Writes the corners.size() - 2 triangles. There must be at least 3 corners, each of them an
-  /// index into `vertices`, which must be finite. Linear time for a fan, quadratic for ear
-  /// clipping.
+  /// index into `vertices`, which must be finite. It takes linear time for a fan, quadratic time
+  /// for ear clipping.
   void triangulate(std::span<const Eigen::Vector3d> vertices,
                    std::span<const std::uint32_t> corners, std::span<TriangleIndices> triangles);
 
@@ -48,7 +48,7 @@ class Triangulator {
   std::vector<std::uint32_t> previous_;
   std::vector<std::uint32_t> next_;
   std::vector<std::uint32_t>
-      blockers_;  ///< corners that do not turn left: all that can block an ear
+      blockers_;  ///< corners that do not turn left: no others can block an ear
   std::vector<bool> is_ear_;
   std::vector<Cut> cuts_;
 };

@@ -23,7 +23,7 @@ std::size_t little_endian(std::string_view bytes) {
   return value;
 }
 
-/// What stands in the header behind a key, up to the end of all.
+/// Returns what stands in the header behind a key, up to the end of the header.
 std::string_view behind(std::string_view header, std::string_view key, const std::string& name) {
   const std::size_t at = header.find(std::string("'").append(key).append("':"));
   if (at == header.npos) fail(name, std::string("its header has no ").append(key));
@@ -32,7 +32,7 @@ std::string_view behind(std::string_view header, std::string_view key, const std
   return header;
 }
 
-/// "(2, 3, 4)" as 2, 3, 4; nothing if it is no list of whole numbers.
+/// Returns "(2, 3, 4)" as 2, 3, 4; nothing if the text is no list of whole numbers.
 std::vector<std::size_t> numbers_of(std::string_view text) {
   std::vector<std::size_t> numbers;
   if (!text.starts_with('(')) return {};
@@ -49,7 +49,7 @@ std::vector<std::size_t> numbers_of(std::string_view text) {
 
 struct Layout {
   std::size_t count;
-  std::size_t rows;  ///< 3 or 4
+  std::size_t rows;  ///< how many rows a pose has, 3 or 4
 };
 
 Layout layout_of(std::string_view header, const std::string& name) {
@@ -76,7 +76,7 @@ bool is_array(std::string_view bytes) {
 }
 
 PoseArrayLayout layout_of_array(std::string_view begin, std::size_t size, const std::string& name) {
-  // Behind the magic stand two bytes of a version and the length of the header.
+  // Two bytes of a version and the length of the header stand behind the magic.
   const std::size_t start = kMagic.size() + 2;
   const std::size_t width = begin.size() > start && begin[start - 2] == 1 ? 2 : 4;
   if (begin.size() < start + width) fail(name, "ends within its header");

@@ -9,18 +9,18 @@
 
 namespace graze::mesh_io {
 
-/// Poses of a text, one a line, one after the other: what load_pose_lines() reads, without holding
-/// it.
+/// Reads the poses of a text, one a line, one after the other, as load_pose_lines() does, without
+/// holding them.
 class PoseLines {
  public:
-  /// The next line of `file` is that of this number. Errors begin with `name`.
+  /// Reads from `file`, whose next line has this number. Errors begin with `name`.
   PoseLines(std::istream& file, std::string name, std::size_t next_line = 1);
 
-  /// The next pose, behind blank lines; false at the end. Throws PoseError as load_pose_lines()
-  /// does.
+  /// Reads the next pose, behind blank lines. Returns false at the end. Throws PoseError as
+  /// load_pose_lines() does.
   bool next(PoseLine& pose);
 
-  /// The number of the line that comes next.
+  /// Returns the number of the line that comes next.
   std::size_t next_line() const { return next_line_; }
 
  private:

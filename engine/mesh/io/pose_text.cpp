@@ -18,8 +18,8 @@ namespace {
 
 constexpr std::string_view kBlanks = " \t\n\r\v\f";
 
-/// Room for 12 numbers with every digit that a double can have. A longer line is no pose, and is
-/// not worth the memory.
+/// The longest line that is read: it has room for 12 numbers with every digit that a double can
+/// have. A longer line is no pose, and is not worth the memory.
 constexpr std::size_t kMaxLineLength = 1 << 16;
 
 [[noreturn]] void fail(const std::string& place, const std::string& why) {
@@ -30,7 +30,7 @@ constexpr std::size_t kMaxLineLength = 1 << 16;
   throw PoseError(name + ": " + why, {.file = name});
 }
 
-/// No line of text begins with it.
+/// The first byte of numpy's arrays. No line of text begins with it.
 constexpr int kFirstOfArray = 0x93;
 
 std::vector<PoseLine> poses_of_array(std::ifstream& file, const std::string& name) {

@@ -9,8 +9,9 @@ namespace {
 constexpr std::uint32_t kFree = std::numeric_limits<std::uint32_t>::max();
 constexpr std::size_t kFirstSlots = 64;
 
-/// Each coordinate is multiplied by an odd constant and its high half folded down, so that grids,
-/// whose doubles differ in their high bits only, spread over the low bits as well.
+/// Hashes a position. Each coordinate is multiplied by an odd constant and its high half folded
+/// down, so that grids, whose doubles differ in their high bits only, spread over the low bits as
+/// well.
 std::size_t hash(const Eigen::Vector3d& position) {
   std::uint64_t state = 0;
   for (int k = 0; k < 3; ++k) {

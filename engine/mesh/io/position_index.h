@@ -11,7 +11,8 @@ namespace graze::mesh_io {
 /// becomes an indexed mesh. Positions keep the order in which they first come.
 class PositionIndex {
  public:
-  /// The index of this position, a new one if it has not been seen. Amortised constant time.
+  /// Returns the index of this position, a new one if it has not been seen, in amortised constant
+  /// time.
   std::uint32_t add(const Eigen::Vector3d& position);
 
   std::vector<Eigen::Vector3d> take_positions() { return std::move(positions_); }

@@ -7,7 +7,8 @@ namespace {
 
 constexpr std::size_t kStlPrefixBytes = kStlHeaderBytes + sizeof(std::uint32_t);
 
-/// Text cannot pass for it: four printable characters, read as a count, ask for gigabytes.
+/// True if the size is that of a binary file. Text cannot pass for one: four printable characters,
+/// read as a count, ask for gigabytes.
 bool has_binary_size(const Source& source) {
   if (source.bytes.size() < kStlPrefixBytes) return false;
   ByteCursor cursor(source, kStlHeaderBytes, std::endian::little);
@@ -15,7 +16,8 @@ bool has_binary_size(const Source& source) {
   return cursor.remaining() == count * kStlTriangleBytes;
 }
 
-/// A truncated binary file may begin with "solid" as well, but there are zeros in its beginning.
+/// True if the file looks like text. A truncated binary file may begin with "solid" as well, but
+/// there are zeros in its beginning.
 bool looks_like_text(const Source& source) {
   TextCursor cursor(source, {});
   constexpr std::string_view kZero("\0", 1);

@@ -11,7 +11,7 @@ class StlAsciiReader {
   StlAsciiReader(const Source& source, const ReadSettings& settings)
       : cursor_(source, {}), settings_(settings) {}
 
-  /// Some files hold several solids: all their triangles count.
+  /// Reads all triangles. Some files hold several solids: the triangles of all count.
   MeshArrays read() {
     do {
       read_solid();
@@ -23,18 +23,19 @@ class StlAsciiReader {
  private:
   void read_solid() {
     expect("solid");
-    cursor_.skip_line();  // the name
+    cursor_.skip_line();  // this is the name
     while (!is_keyword(next_token("\"facet\" or \"endsolid\""), "endsolid"))
       read_facet();
     cursor_.skip_line();
   }
 
-  /// From behind the word on: next_token() has seen it.
+  /// Reads a facet from behind its first word on, which next_token() has read.
   void read_facet() {
     if (!is_keyword(last_, "facet")) fail_expected("\"facet\" or \"endsolid\"");
     if (settings_.has_places) mesh_.places.push_back(cursor_.place());
     expect("normal");
-    // Not parsed: the corners say all, and writers put "nan" here for triangles without area.
+    // The normal is not parsed: the corners say all, and writers put "nan" here for triangles
+    // without area.
     for (int k = 0; k < 3; ++k)
       next_token("a number");
     expect("outer");

@@ -29,7 +29,7 @@ TextCursor::TextCursor(const Source& source, TextRules rules)
   if (source.bytes.starts_with("\xef\xbb\xbf")) next_ += 3;
 }
 
-/// A backslash with a line's end right behind it.
+/// True if this is a backslash with a line's end right behind it.
 bool TextCursor::is_continuation(const char* at) const {
   return rules_.has_continued_lines && *at == '\\' && at + 1 != end_ && is_line_end(at[1]);
 }

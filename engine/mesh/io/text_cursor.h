@@ -6,10 +6,11 @@
 
 namespace graze::mesh_io {
 
-/// What a text format adds to tokens, blanks and lines.
+/// The rules of a text format beyond tokens, blanks and lines.
 struct TextRules {
-  char comment = '\0';  ///< begins, at the start of a token, a comment to the line's end
-  bool has_continued_lines = false;  ///< a backslash before a line's end stands for a blank
+  char comment = '\0';  ///< the character that begins, at the start of a token, a comment to the
+                        ///< line's end
+  bool has_continued_lines = false;  ///< whether a backslash before a line's end stands for a blank
 };
 
 /// Reads a text in one pass. A line ends with LF, CR LF or CR. Every failure is a MeshError that
@@ -19,43 +20,43 @@ class TextCursor {
   /// Skips a byte order mark. The source must outlive the cursor.
   TextCursor(const Source& source, TextRules rules);
 
-  /// Skips blanks and a comment. True if a token follows on this line.
+  /// Skips blanks and a comment. Returns true if a token follows on this line.
   bool has_token();
 
-  /// The next token of this line, empty where has_token() is false.
+  /// Returns the next token of this line, empty where has_token() is false, and goes past it.
   std::string_view token();
 
-  /// The same without going over it.
+  /// Returns the same token without going past it.
   std::string_view peek();
 
-  /// The next token of this line, or its beginning up to and including the first `last`.
+  /// Returns the next token of this line, or its beginning up to and including the first `last`.
   std::string_view token_through(std::string_view last);
 
-  /// The token as a finite number, rounded once to double; as a whole number.
+  /// Return the next token as a finite number, rounded once to double, and as a whole number.
   double number();
   std::int64_t integer();
 
   /// Goes to the beginning of the next line, whatever is left of this one.
   void skip_line();
 
-  /// As skip_line(), but whatever is left must be blank or a comment.
+  /// Does as skip_line() does, but whatever is left must be blank or a comment.
   void end_line();
 
-  /// As end_line(), where a lone CR ends a line and what follows may be binary data that begin with
-  /// LF.
+  /// Does as end_line() does, where a lone CR ends a line and what follows may be binary data that
+  /// begin with LF.
   void end_line_with_return();
 
-  /// Goes to the next token of this line or of a later one. False at the end of the file.
+  /// Goes to the next token of this line or of a later one. Returns false at the end of the file.
   bool find_token();
 
-  /// As find_token(), failing at the end of the file. `wanted` is for the message.
+  /// Does as find_token() does, but fails at the end of the file. `wanted` is for the message.
   void require_token(std::string_view wanted);
 
   bool is_at_end() const { return next_ == end_; }
   std::size_t offset() const { return static_cast<std::size_t>(next_ - source_.bytes.data()); }
   std::size_t remaining() const { return static_cast<std::size_t>(end_ - next_); }
 
-  /// The current line. At the end of the file, the last line that has any characters.
+  /// Returns the current line; at the end of the file, the last line that has any characters.
   Place place() const;
 
   [[noreturn]] void fail(std::string_view why) const;

@@ -6,35 +6,37 @@
 namespace graze {
 namespace {
 
-/// Measured. Where nearly all is due by its budget, there was a jump, and planes prove no more;
-/// to look at a third of a front of distances costs as much as a walk of its own.
+/// These shares of a front were measured. Where nearly all is due by its budget, there was a jump,
+/// and planes prove no more; to look at a third of a front of distances costs as much as a walk of
+/// its own.
 constexpr double kMostDue = 0.7;
 constexpr double kMostLookedAt = 0.35;
-constexpr std::size_t kMostNearPairs = 250;  // whose distances are asked for in one pass
-constexpr int kLongestRest = 64;             // queries
+constexpr std::size_t kMostNearPairs = 250;  // distances that are asked for in one pass
+constexpr int kLongestRest = 64;             // queries for which a front rests
 
-/// Of the edges of the smaller mesh's box, added up. What goes so far in one query has to have done
-/// so before, or no front is begun for it.
+/// The share of the edges of the smaller mesh's box, added up, that is fast: if B goes so far in
+/// one query, it has to have done so before, or no front is begun for it.
 constexpr double kFast = 0.005;
 
-/// To begin a front costs as much as three walks: after so many updates that has paid.
+/// The number of updates after which a front has paid: to begin it costs as much as three walks.
 constexpr int kEnoughPasses = 4;
 
-/// Measured. In a smaller front the pairs that are due take less time than a prediction.
+/// The smallest front that is worth a prediction: in a smaller one the pairs that are due take less
+/// time than a prediction. It was measured.
 constexpr std::size_t kWorthAPrediction = 200;
 
 /// A predicted motion is worth it while no more motion is spent than so much for each unit that B
-/// comes; and after one that was worth it for so many passes another is tried at once.
+/// comes. After one that was worth it for so many passes another is tried at once.
 constexpr double kMostSpentPerDistance = 1.5;
 constexpr int kEnoughPredicted = 8;
 
-/// A front grows with what opens and never closes.
+/// A front is given up that has grown so much: it grows with what opens and never closes.
 constexpr int kMostPasses = 1000;
 constexpr double kMostGrowth = 2;
 constexpr double kMostGrowthOfDistances = 1.5;
 constexpr std::size_t kFewMore = 64;
 
-/// Measured. How much of itself a front adds for later queries in one pass, at most.
+/// A front adds at most these shares of itself for later queries in one pass. They were measured.
 constexpr double kMostAhead = 0.25;
 constexpr std::size_t kFewAhead = 16;
 constexpr double kLongestGap = 1000;  // queries
@@ -42,25 +44,26 @@ constexpr double kLongestGap = 1000;  // queries
 /// A motion that is longer than the one before by this factor is a jump.
 constexpr double kJump = 4;
 
-/// Of boxes beside eight others, leaves and triangles: some 250 bytes each.
+/// The largest size of a front: boxes beside eight others, leaves and triangles, of some 250 bytes
+/// each.
 constexpr std::size_t kLargest = std::size_t{1} << 19;
 
-/// Of what queries with a front cost, beside walks.
+/// The costs of queries with a front, as shares of the cost of a walk, by which it is judged.
 constexpr double kNotWorth = 1.1;  // times the cost of a walk
 constexpr double kFarTooMuch = 2;
 constexpr double kWellWorth = 0.7;
 
-/// The first queries with a front tell little: a motion that has just come near costs more than
-/// later.
+/// The number of queries with a front after which its cost is judged. The first tell little: a
+/// motion that has just come near costs more than later.
 constexpr int kEnoughQueries = 4;
 
-/// How much the last query counts in the mean.
+/// The weight of the last query in the mean.
 constexpr double kNewest = 0.25;
 
 /// A longer look-ahead must cost less by this factor to be kept.
 constexpr double kWorth = 1.1;
 
-/// The lengths of the edges in the three directions, added up.
+/// Returns the lengths of the edges in the three directions, added up.
 double sum_of_edges(const bvh::FloatBox& box, double unit) {
   double sum = 0;
   for (int i = 0; i < 3; ++i)
@@ -70,8 +73,9 @@ double sum_of_edges(const bvh::FloatBox& box, double unit) {
 
 }  // namespace
 
-// Fitted to what 644 poses and 361 motions of eight pairs of meshes took: half of them are within a
-// tenth. Of boxes that a pass looks at half is counted, because what it opens serves later ones.
+// The costs are fitted to what 644 poses and 361 motions of eight pairs of meshes took: half of
+// them are within a tenth. Half of the boxes that a pass looks at are counted, because what it
+// opens serves later ones.
 double FrontWorth::cost_of_walk(const Work& done) {
   return 106 + 4.8 * static_cast<double>(done.volume_tests) +
          7 * static_cast<double>(done.filter_tests) + 30 * static_cast<double>(done.triangle_tests);
@@ -218,7 +222,8 @@ std::optional<bvh::WideFront::Pass> MotionFront::start_pass(const bvh::WideTree&
 
 bvh::WideFront::Foresight MotionFront::foresight() const {
   const double look_ahead = look_ahead_.queries() * step_;
-  // To go far away and to come back are of one length, and neither jumps beside the other.
+  // A motion far away and the one back are of one length, and neither counts as a jump beside the
+  // other.
   const bool is_near = look_ahead < bvh::WideFront::kFarthest;
   if (kind_ == bvh::WideFront::Kind::Distance || is_jump_ || !is_near) return {};
   const std::size_t size = passes_ > 0 ? front_.size() : first_size_;
@@ -245,7 +250,7 @@ void MotionFront::learn(const bvh::WideFront::Pass& pass, double cost) {
 }
 
 void MotionFront::update(const bvh::WideFront::Pass& pass, double limit, Work& work) {
-  is_in_use_ = false;  // so that the front is not used again if this throws
+  is_in_use_ = false;  // the front is not used again if this throws
   const std::size_t size_before = front_.size();
   front_.update(pass, limit, foresight());
   is_in_use_ = true;

@@ -1,7 +1,7 @@
 #pragma once
 
-// A front for as long as it saves time: what queries with it have cost so far, and what follows,
-// whether it is worth it and how far it had better look ahead. Private to engine/mesh.
+// This keeps a front for as long as it saves time. What queries with it have cost so far decides
+// whether it is worth it, and how far it had better look ahead. It is private to engine/mesh.
 
 #include <graze/bvh/wide/front/wide_front.h>
 #include <graze/engine/work.h>
@@ -12,12 +12,13 @@
 
 namespace graze {
 
-/// Whether queries with a front cost less than walks over the trees, judged by the counters of
+/// Decides whether queries with a front cost less than walks over the trees, by the counters of
 /// both.
 class FrontWorth {
  public:
-  /// What a walk, or an update of the front, costs by its counters; `unsure` are the pairs of
-  /// primitives that the update leaves unsure. In nanoseconds of one machine: only ratios matter.
+  /// Return what a walk, or an update of the front, costs by its counters; `unsure` are the pairs
+  /// of primitives that the update leaves unsure. The unit is the nanosecond of one machine: only
+  /// ratios matter.
   static double cost_of_walk(const Work& done);
   static double cost_of_pass(const bvh::WideFront::Counts& done, std::size_t unsure);
 
@@ -30,27 +31,27 @@ class FrontWorth {
   /// Takes note of what a query with the front has cost.
   void learn(double cost);
 
-  /// Whether the front is worth it. Not where queries with it cost more than a walk: after a few
-  /// queries, or at once if they cost far more. True where nothing is known.
+  /// True if the front is worth it, or if nothing is known. It is not where queries with it cost
+  /// more than a walk: after a few queries, or at once if they cost far more.
   bool is_worth_it() const;
 
-  /// Whether it is known that they cost far less than a walk.
+  /// True if it is known that they cost far less than a walk.
   bool is_surely_worth_it() const;
 
  private:
   double walk_ = std::numeric_limits<double>::infinity();
-  double mean_ = 0;  ///< of the costs with the front; the last ones count most
+  double mean_ = 0;  ///< the mean of the costs with the front; the last ones count most
   int queries_ = 0;
 };
 
-/// The look-ahead of a front where nothing meets: for how many queries the gap that a pass proves
-/// should last. A longer one opens more boxes that are apart, which costs time, above all where
-/// surfaces lie near each other; and it saves the passes of the queries that the gap then answers.
-/// What pays is learned by trying: one level more as long as a query costs less, one less when it
+/// Chooses the look-ahead of a front where nothing meets: for how many queries the gap that a pass
+/// proves should last. A longer one opens more boxes that are apart, which costs time, above all
+/// where surfaces lie near each other; and it saves the passes of the queries that the gap then
+/// answers. It learns by trying: one level more as long as a query costs less, one less when it
 /// costs more. A level that did not pay is tried again later, and each time after a longer wait.
 class LookAhead {
  public:
-  /// How many queries ahead; 0 where only what meets is looked at.
+  /// Returns how many queries to look ahead; 0 where only what meets is looked at.
   double queries() const { return kQueries[level_]; }
 
   /// Takes note of what a query has cost with this look-ahead, in any unit.
@@ -61,7 +62,7 @@ class LookAhead {
   static constexpr double kQueries[kLevels] = {0, 2, 4, 8};
 
   double cost_[kLevels] =
-      {};  ///< of each level, a mean in which the last queries count most; 0: unknown
+      {};  ///< the cost of each level, a mean in which the last queries count most; 0 if unknown
   int level_ = 0;
   bool is_new_ = false;  ///< whether the level was raised and no query has been made with it yet
   int wait_ = 0;         ///< how many queries remain until a higher level is tried
@@ -77,10 +78,10 @@ class MotionFront {
   explicit MotionFront(bvh::WideFront::Kind kind) : kind_(kind) {}
 
   bvh::WideFront& front() { return front_; }
-  /// Whether there is a front that follows the motion.
+  /// True if there is a front that follows the motion.
   bool is_in_use() const { return is_in_use_; }
 
-  /// Whether this query should do without the front, because it rests for some queries; counts
+  /// True if this query should do without the front, because that rests for some queries. It counts
   /// down.
   bool rests();
 
@@ -88,11 +89,12 @@ class MotionFront {
   /// units).
   void add_motion(const bvh::WideFront::MotionBound& step, int queries);
 
-  /// The pass of this query over the front, if the front is worth it or, begun anew in these
-  /// poses, promises to be. Otherwise the query should walk the trees: where most of the front is
-  /// due, where queries with it have cost more than a walk, or where distances made it look at a
-  /// third of the front. Then the front rests for some queries, and for more of them each time that
-  /// this happens in turn. `limit` as in WideFront::update().
+  /// Returns the pass of this query over the front, if the front is worth it or, begun anew in
+  /// these poses, promises to be. Otherwise it returns nothing, and the query should walk the
+  /// trees: where most of the front is due, where queries with it have cost more than a walk, or
+  /// where distances made it look at a third of the front. Then the front rests for some queries,
+  /// and for more of them each time that this happens in turn. `limit` is as in
+  /// WideFront::update().
   std::optional<bvh::WideFront::Pass> start_pass(const bvh::WideTree& tree_a,
                                                  const bvh::WideTree& tree_b,
                                                  const bvh::RelativeFrame& b_in_a,
@@ -107,13 +109,13 @@ class MotionFront {
  private:
   bool is_outgrown() const;
 
-  /// Whether a query for a distance would compute so many distances that a walk, which sees fewer
+  /// True if a query for a distance would compute so many distances that a walk, which sees fewer
   /// where many are nearly equal, costs less.
   bool has_many_near_pairs(const bvh::WideFront::Pass& pass, double limit);
   /// Gives the front up, and lets it rest.
   void give_up();
 
-  /// How far ahead this update is to look for later queries.
+  /// Returns how far ahead this update is to look for later queries.
   bvh::WideFront::Foresight foresight() const;
 
   /// Learns from what an update has cost whether it was worth that.
@@ -125,9 +127,9 @@ class MotionFront {
   bvh::WideFront::Kind kind_;
   bvh::WideFront front_;
   bool is_in_use_ = false;
-  bvh::WideFront::MotionBound motion_;  ///< since the front was begun
+  bvh::WideFront::MotionBound motion_;  ///< the motion since the front was begun
   int passes_ = 0;                      ///< updates since the front was begun
-  std::size_t first_size_ = 0;          ///< of the front, after the first update
+  std::size_t first_size_ = 0;          ///< the size of the front after the first update
   int rest_ = 0;                        ///< queries until a front may be begun
   int next_rest_ = 1;
   FrontWorth worth_;

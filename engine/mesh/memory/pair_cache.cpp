@@ -27,7 +27,7 @@ namespace {
 /// Lengths in the frame of A and in space differ by less: poses deviate by 1e-6 at most.
 constexpr double kFrameGrowth = 1e-5;
 
-/// How far points of the box move between two placings, common units.
+/// Returns how far points of the box move between two placings, common units.
 bvh::WideFront::MotionBound motion_of(const bvh::FloatBox& box, double unit,
                                       const double (&rotation)[3][3],
                                       const double (&translation)[3],
@@ -55,7 +55,7 @@ bvh::WideFront::MotionBound motion_of(const bvh::FloatBox& box, double unit,
     sizes += std::abs(offset);
     square += (moved[i] + offset) * (moved[i] + offset);
   }
-  // Rounding of sums of five terms, and squares that underflow.
+  // These cover the rounding of sums of five terms, and squares that underflow.
   const double displacement =
       (std::sqrt(square) + total) * (1 + 0x1p-40) + 0x1p-48 * sizes + 0x1p-500;
   return {displacement, std::sqrt(turns) * (1 + 0x1p-40) + 0x1p-45};
@@ -64,7 +64,7 @@ bvh::WideFront::MotionBound motion_of(const bvh::FloatBox& box, double unit,
 }  // namespace
 
 bool have_same_bits(const Pose& one, const Pose& other) {
-  if (one.data()[12] != other.data()[12]) return false;  // what moves differs here mostly
+  if (one.data()[12] != other.data()[12]) return false;  // poses that move differ here mostly
   std::uint64_t difference = 0;
   for (int i = 0; i < 16; ++i)
     difference |=
@@ -177,7 +177,7 @@ double gap_of_bounds(const WideQuery& query) {
   const bvh::RelativeFrame& frame = query.b_in_a;
   const double gap = bvh::gap_along_faces(frame, query.tree_a.box(), query.tree_b.box());
   const double unit = std::max(query.frame_a.frame.unit(), query.frame_b.frame.unit());
-  // Two slacks for where placed triangles are (above), the others for how the gap is rounded.
+  // Two slacks are for where placed triangles are (above), the others for how the gap is rounded.
   return (gap * (1 - kFrameGrowth) - 4 * frame.slack) * (1 - kFrameGrowth) * unit;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// Private to engine/mesh.
+// This is private to engine/mesh.
 
 #include <graze/bvh/value/rigid.h>
 #include <graze/engine/mesh/memory/motion_front.h>
@@ -16,25 +16,25 @@
 
 namespace graze {
 
-/// Whether the two are equal bit by bit.
+/// True if the two poses are equal bit by bit.
 bool have_same_bits(const Pose& one, const Pose& other);
 
-/// A mesh in its last pose, with what bounds how far a motion takes its points.
+/// A mesh in its last pose, and numbers that bound how far a motion takes its points.
 class CachedMesh {
  public:
   explicit CachedMesh(const Mesh& mesh);
 
   const Mesh& mesh() const { return mesh_; }
   const Pose& pose() const { return pose_; }
-  /// A number that grows each time that the pose changes.
+  /// Returns a number that grows each time that the pose changes.
   std::uint64_t pose_number() const { return pose_number_; }
   double deviation() const { return error_.largest(); }
 
   /// Takes the pose of the next query, checked by check_placement() unless it is the last one.
   void place(const Pose& pose, const char* what);
 
-  /// No placed point of the mesh is further from where `before` placed it than the root of `square`
-  /// and `rounding` (metres).
+  /// Bounds a displacement: no placed point of the mesh is further from where `before` placed it
+  /// than the root of `square` and `rounding` (metres).
   struct DisplacementBound {
     double square = 0;
     double rounding = 0;
@@ -45,15 +45,15 @@ class CachedMesh {
   alignas(64) Pose pose_ = Pose::Identity();  ///< fills two cache lines, as each query compares it
   Mesh mesh_;
   double middle_[3];
-  double radius_;   ///< of a ball around the bounds, about their middle
-  double largest_;  ///< coordinate of the bounds
-  double sizes_;    ///< of the bounds, added up
+  double radius_;   ///< radius of a ball around the bounds, about their middle
+  double largest_;  ///< the largest coordinate of the bounds
+  double sizes_;    ///< the sizes of the bounds, added up
   bvh::RotationError error_{pose_};
   std::uint64_t pose_number_ = 0;
   bool is_placed_ = false;
 };
 
-/// What a PairMemory holds of one pair of meshes.
+/// The knowledge that a PairMemory has of one pair of meshes.
 class PairCache {
  public:
   static constexpr std::size_t kMostPairs = 8;
@@ -70,18 +70,18 @@ class PairCache {
   double deviation_a() const { return a_.deviation(); }
   double deviation_b() const { return b_.deviation(); }
 
-  /// Whether all placed triangles are surely farther apart than so many metres: by the gap that was
+  /// True if all placed triangles are surely farther apart than so many metres: by the gap that was
   /// proved last, less how far both meshes moved since.
   bool are_apart_by(double metres) const;
 
-  /// The same for a query that this answers: counts it if so.
+  /// Says the same for a query that this answers, and counts it if so.
   bool are_still_apart_by(double metres, Work* work);
 
   /// Takes note that in these poses no triangles are nearer than so many metres.
   void learn_gap(double metres);
 
-  /// Adds to the motion of both fronts how far B has come in A since the last call. False if this
-  /// is the first.
+  /// Adds to the motion of both fronts how far B has come in A since the last call. Returns false
+  /// if this is the first.
   bool add_motion(const WideQuery& query);
 
   std::span<const TrianglePair> pairs() const { return {pairs_.data(), pair_count_}; }
@@ -89,10 +89,10 @@ class PairCache {
   void put_first(std::size_t index) { std::swap(pairs_[0], pairs_[index]); }
 
   std::optional<TrianglePair> nearest;
-  std::optional<Pose> nearest_pose;  ///< of B in A, about, when distance() was last asked
+  std::optional<Pose> nearest_pose;  ///< roughly the pose of B in A when distance() was last asked
   bool was_within = false;
-  bool was_touching = false;    ///< when a distance was last asked for
-  std::size_t pairs_found = 0;  ///< when all pairs were last asked for
+  bool was_touching = false;    ///< whether the meshes touched when a distance was last asked for
+  std::size_t pairs_found = 0;  ///< how many pairs there were when all were last asked for
   MotionFront intersection_front{bvh::WideFront::Kind::Intersection};
   MotionFront distance_front{bvh::WideFront::Kind::Distance};
   std::uint64_t still_apart = 0;
@@ -115,24 +115,25 @@ class PairCache {
 
   NumberedPose gap_pose_a_;
   NumberedPose gap_pose_b_;
-  double gap_ = -1;  ///< metres, in the two poses above; below 0: unknown
+  double gap_ = -1;  ///< the gap in metres, in the two poses above; below 0 if unknown
 
-  double rotation_[3][3];  ///< of B in A, in common units, at the last add_motion()
+  double rotation_[3][3];  ///< that of B in A, in common units, at the last add_motion()
   double translation_[3];
   bool is_motion_known_ = false;
   static constexpr int kMostQueries = 1 << 20;
-  int queries_ = 0;  ///< since then, at most kMostQueries
+  int queries_ = 0;  ///< queries since the last set_poses(), at most kMostQueries
 
-  std::array<TrianglePair, kMostPairs> pairs_{};  ///< that touched, the last one that did first
+  std::array<TrianglePair, kMostPairs> pairs_{};  ///< pairs that touched, the last one that did
+                                                  ///< first
   std::size_t pair_count_ = 0;
 };
 
-/// The cache of this pair of meshes, in these poses; an empty one if the memory was about others.
-/// Throws PoseError.
+/// Returns the cache of this pair of meshes, in these poses; an empty one if the memory was about
+/// others. Throws PoseError.
 PairCache& recall(PairMemory& memory, const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b);
 
-/// A lower bound of how far apart the meshes are by the boxes of all that they hold (metres), or
-/// less than 0.
+/// Returns a lower bound of how far apart the meshes are by the boxes of all that they hold
+/// (metres), or less than 0.
 double gap_of_bounds(const WideQuery& query);
 
 }  // namespace graze

@@ -57,8 +57,8 @@ class IntersectionQuery {
         touch_(touch),
         work_(work) {}
 
-  /// Whether the boxes around both meshes prove that they are apart: then the cache keeps the gap.
-  /// Not asked while a front is in use, which holds these boxes, too.
+  /// True if the boxes around both meshes prove that they are apart: then the cache keeps the gap.
+  /// They are not asked while a front is in use, which holds these boxes, too.
   bool are_far_apart() {
     if (cache_.intersection_front.is_in_use()) return false;
     if (!query_.are_far_apart(work_)) return false;
@@ -66,7 +66,7 @@ class IntersectionQuery {
     return true;
   }
 
-  /// Whether triangles that touched when last asked still do.
+  /// True if triangles that touched when last asked still do.
   bool does_cached_pair_touch() {
     const std::span<const TrianglePair> pairs = cache_.pairs();
     if (pairs.empty()) return false;
@@ -116,7 +116,7 @@ class IntersectionQuery {
     return true;
   }
 
-  /// The same by walking the trees.
+  /// Does the same by walking the trees.
   template <typename OnPair>
   void walk(OnPair&& on_pair) {
     Work done;
@@ -190,7 +190,7 @@ HWY_NOINLINE TrianglePairs find_pairs(const PlacedMeshView& mesh_a, const Placed
   if (is_done && found.pairs.size() <= settings.limit) {
     sort_pairs(found.pairs);
   } else {
-    // With a limit the walk decides which pairs are returned.
+    // With a limit, the walk decides which pairs are returned.
     Work done;
     found = find_triangle_pairs(
         mesh_a, mesh_b,

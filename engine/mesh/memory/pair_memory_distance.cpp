@@ -25,7 +25,7 @@ class NearQuery {
         cache_(cache),
         work_(work) {}
 
-  /// Looks for what separates along the line between these points, beyond so many metres.
+  /// Looks along the line between these points for gaps beyond so many metres.
   void aim_along(const TriangleDistance& found) { gap_.set_direction(found); }
   void shrink_to(double metres) {
     limit_ = metres;
@@ -74,11 +74,11 @@ class NearQuery {
     return true;
   }
 
-  /// A lower bound of the true distance, from one as distance() returns it.
+  /// Returns a lower bound of the true distance, from one as distance() returns it.
   double surely(double metres) const { return metres - 0x1p-46 * largest_; }
 
  private:
-  /// A direction in space, in the frame of a pose.
+  /// Turns a direction in space into the frame of a pose.
   static void turn_into(double (&turned)[3], const Pose& pose, const double (&direction)[3]) {
     const double* m = pose.data();  // column-major 4x4
     for (int i = 0; i < 3; ++i) {
@@ -87,15 +87,15 @@ class NearQuery {
     }
   }
 
-  /// A lower bound, in the trees' frames, of a distance in space.
+  /// Returns a lower bound, in the trees' frames, of a distance in space.
   double units_between(double metres) const {
     return box_limit_.least_units(surely(metres)) - 2 * query_.b_in_a.slack;
   }
 
-  /// The same of a gap along a direction, with the slack of both frames.
+  /// Returns the same of a gap along a direction, with the slack of both frames.
   bvh::WideFront::Gap gap_along(const narrowphase::DirectedGap& along, double metres,
                                 double slack) const {
-    // Poses turn directions into such that are longer by 1.5e-6 at most.
+    // A pose makes the direction that it turns longer by 1.5e-6 at most.
     constexpr double kShorter = 1 - 0x1p-18;
     bvh::WideFront::Gap gap;
     gap.units = kShorter * (box_limit_.least_units_along(surely(metres)) - 2 * slack);
@@ -115,9 +115,9 @@ class NearQuery {
   Work& work_;
 };
 
-/// Takes note of where B is in A. Whether it moved so far there since distance() was last asked
-/// that this is no motion but a jump to another pose: what was nearest bounds little then, and a
-/// front would have to open all that is nearer.
+/// Takes note of where B is in A. Returns whether it moved so far there since distance() was last
+/// asked that this is no motion but a jump to another pose: what was nearest bounds little then,
+/// and a front would have to open all that is nearer.
 bool has_jumped(const PlacedMeshView& a, const PlacedMeshView& b, PairCache& cache) {
   const Eigen::Matrix3d back = a.pose.linear().transpose();
   Pose now = Pose::Identity();
@@ -134,7 +134,7 @@ bool has_jumped(const PlacedMeshView& a, const PlacedMeshView& b, PairCache& cac
   return moved > kShare * std::min(width(a.mesh.bounds()), width(box));
 }
 
-/// The distance of the meshes, beginning with the pair that was nearest before.
+/// Returns the distance of the meshes, beginning with the pair that was nearest before.
 MeshDistance find_nearest(const WideQuery& meshes, TrianglePair pair, PairCache& cache,
                           Work& work) {
   const TriangleDistance known = distance_of(meshes, pair, work);

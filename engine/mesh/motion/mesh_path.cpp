@@ -41,7 +41,7 @@ Aabb around(const Aabb& a, const Triangle& t) {
 }
 
 struct EdgeUse {
-  std::uint32_t low;  ///< vertices
+  std::uint32_t low;  ///< the vertices of the edge, by their indices
   std::uint32_t high;
   std::uint32_t triangle;
   std::uint32_t place;

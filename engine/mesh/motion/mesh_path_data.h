@@ -7,7 +7,7 @@
 
 namespace graze {
 
-/// Bits of what a triangle owns: corner k, and the edge from corner k to the next.
+/// Return the bits of what a triangle owns: corner k, and the edge from corner k to the next.
 constexpr std::uint8_t corner_bit(std::uint32_t k) {
   return static_cast<std::uint8_t>(1u << k);
 }
@@ -18,12 +18,13 @@ constexpr std::uint8_t edge_bit(std::uint32_t k) {
 struct MeshPath::Data {
   Mesh start;
   Mesh end;
-  bvh::Tree tree;                   ///< over what the triangles sweep
-  Aabb bounds;                      ///< of all that
-  std::vector<std::uint8_t> owned;  ///< of each triangle: features that no earlier one has
+  bvh::Tree tree;                   ///< the tree over what the triangles sweep
+  Aabb bounds;                      ///< the bounds of all that
+  std::vector<std::uint8_t> owned;  ///< the features of each triangle that no earlier one has, as
+                                    ///< bits
 };
 
-/// What queries see.
+/// The way of queries to the data.
 struct MeshPathAccess {
   static const MeshPath::Data& data(const MeshPath& path) { return *path.data_; }
   using Data = MeshPath::Data;

@@ -11,8 +11,8 @@ namespace graze {
 class NearNodes {
  public:
   NearNodes(const bvh::Tree& a, const bvh::Tree& b, double separation) : a_(a), b_(b) {
-    // Halves, so that nothing overflows. Each end of a box is a sum that is off by 2^-53 of itself,
-    // and so are their difference and the limit: a sixteenth of the room.
+    // Halves are taken, so that nothing overflows. Each end of a box is a sum that is off by 2^-53
+    // of itself, and so are their difference and the limit: a sixteenth of the room.
     for (int k = 0; k < 3; ++k) {
       const double size = (0.5 * std::abs(a.frame.centre[k]) + 2 * half_unit(a)) +
                           (0.5 * std::abs(b.frame.centre[k]) + 2 * half_unit(b));
@@ -35,7 +35,7 @@ class NearNodes {
 
  private:
   static double half_unit(const bvh::Tree& tree) { return 0.5 * tree.frame.unit(); }
-  /// Half of a coordinate, metres.
+  /// Returns half of a coordinate, metres.
   static double end(const bvh::Tree& tree, int k, float local) {
     return 0.5 * tree.frame.centre[k] + double{local} * half_unit(tree);
   }

@@ -23,11 +23,12 @@
 namespace graze {
 namespace {
 
-// Of the best distance so far: a walk looks first only where much could be gained, and so has a
-// limit that is not far above the answer for the rest. Measured: it saves up to half of the time.
+// The share of the best distance so far within which a walk looks first: only where much could be
+// gained, and so it has a limit that is not far above the answer for the rest. As measured, it
+// saves up to half of the time.
 constexpr double kFirstShare = 0.5;
 
-/// Walks pairs of triangles, nearer ones first, and keeps what is beyond a limit out.
+/// Walks pairs of triangles, nearer ones first, and leaves out what is beyond a limit.
 class Search {
  public:
   Search(const WideQuery& query, Work& work)
@@ -45,7 +46,7 @@ class Search {
     box_limit_.shrink_to(metres);
   }
 
-  /// Looks first for what separates, as the nearest points found so far do.
+  /// Looks first along the line between the nearest points found so far.
   void aim_along(const TriangleDistance& found) {
     gap_.set_direction(found);
     vertices_.set(found);
@@ -54,7 +55,7 @@ class Search {
     const double* o = frame.centre;
     const double per_metre = query_.b_in_a.units_a / frame.unit();
     const double* m = query_.a.pose.data();  // column-major 4x4
-    double offset[3];                        // from where the frame's centre is placed
+    double offset[3];                        // the offset from where the frame's centre is placed
     for (int i = 0; i < 3; ++i) {
       offset[i] = found.point_a[i] - (m[i] * o[0] + m[4 + i] * o[1] + m[8 + i] * o[2] + m[12 + i]);
     }
@@ -109,18 +110,18 @@ class Search {
   narrowphase::DirectedGap gap_;
   narrowphase::NearestVertices vertices_;
   double direction_in_a_[3] = {0, 0, 0};
-  double point_in_a_[3] = {0, 0, 0};  // in common units, near the nearest found so far
+  double point_in_a_[3] = {0, 0, 0};  ///< a point near the nearest found so far, in common units
   double limit_ = std::numeric_limits<double>::infinity();
   double first_share_ = 1;
   Work& work_;
 };
 
-/// What a walk over all that may meet came by.
+/// The pairs that a walk over all that may meet found.
 struct Meeting {
-  /// The one that a query for pairs with a limit of 1 begins with, if any meet: which this is
+  /// The pair that a query for pairs with a limit of 1 begins with, if any meet: which this is
   /// depends on no direction, hint, memory or kernel.
   std::optional<TrianglePair> met;
-  /// If none do, a pair that boxes did not tell apart: a good one to begin a search with.
+  /// If none meet, a pair that boxes did not tell apart: a good one to begin a search with.
   std::optional<TrianglePair> near;
 };
 
@@ -138,8 +139,8 @@ Meeting find_meeting(const WideQuery& query, Work& work) {
   return meeting;
 }
 
-/// Of meshes that are apart: begins with a pair, then with what is within a share of how far apart
-/// these are.
+/// Searches for the distance of meshes that are apart: begins with a pair, then with what is within
+/// a share of how far apart these are.
 MeshDistance search(const WideQuery& query, TrianglePair first, double first_share, Work& work) {
   Search search(query, work);
   MeshDistance best{};
@@ -202,8 +203,8 @@ MeshDistance distance_apart(const WideQuery& query, TrianglePair hint, Work& wor
 }
 
 MeshDistance find_distance(const WideQuery& query, std::optional<TrianglePair> hint, Work& work) {
-  // Measured: where the meshes are apart this takes a twentieth of what follows, and where they
-  // meet the search for what is nearest would take five times longer to see it.
+  // This was measured: where the meshes are apart it takes a twentieth of what follows, and where
+  // they meet the search for what is nearest would take five times longer to see it.
   const Meeting meeting = find_meeting(query, work);
   if (meeting.met) return result_of(distance_of(query, *meeting.met, work), *meeting.met);
   if (hint) return distance_apart(query, *hint, work);

@@ -1,7 +1,7 @@
 #pragma once
 
-// Pairs of triangles by the binary trees of two meshes, whatever proves their nodes apart. Private
-// to engine/mesh.
+// This finds pairs of triangles by the binary trees of two meshes, whatever proves their nodes
+// apart. It is private to engine/mesh.
 
 #include <graze/bvh/traverse/traverse_pair.h>
 #include <graze/bvh/tree/tree.h>

@@ -12,11 +12,12 @@ namespace {
 using Corners = std::array<std::uint32_t, 3>;
 using narrowphase::VertexFan;
 
-/// The triangles around a welded vertex by where they come from and lead to, and in their order
+/// The triangles around a welded vertex, by where they come from and lead to, and in their order
 /// around it, if they have one.
 class VertexRing {
  public:
-  /// Around one vertex, of triangles with these welded corners. False if there are too many.
+  /// Gathers the triangles around one vertex, which have these welded corners. Returns false if
+  /// there are too many.
   bool gather(std::uint32_t vertex, std::span<const std::uint32_t> triangles,
               const std::vector<Corners>& corners) {
     size_ = triangles.size();
@@ -30,7 +31,8 @@ class VertexRing {
     return true;
   }
 
-  /// Whether each triangle begins where the one before ends, all of them once.
+  /// Sorts the triangles so that each begins where the one before ends. Returns false if that
+  /// cannot be done with all of them, each once.
   bool sort() {
     if (follow(0)) return true;
     if (kind_ == VertexFan::Kind::Closed) return false;
@@ -41,7 +43,7 @@ class VertexRing {
   }
 
   VertexFan::Kind kind() const { return kind_; }
-  /// The vertices that the rays lead to.
+  /// Returns the vertices that the rays lead to.
   std::span<const std::uint32_t> rays() const { return {rays_, ray_count_}; }
 
  private:
@@ -52,9 +54,9 @@ class VertexRing {
     return i;
   }
 
-  /// From the first triangle to the one that comes back to it, or to the last. Where several begin
-  /// with one vertex the way may never come back and meet some of them again; but no fan with a ray
-  /// twice is simple.
+  /// Follows the triangles from the first to the one that comes back to it, or to the last. Where
+  /// several begin with one vertex the way may never come back and meet some of them again; but no
+  /// fan with a ray twice is simple.
   bool follow(std::size_t first) {
     ray_count_ = 0;
     kind_ = VertexFan::Kind::Open;
@@ -85,7 +87,8 @@ class VertexRing {
   VertexFan::Kind kind_ = VertexFan::Kind::Open;
 };
 
-/// Whether the triangles around a vertex surely have no more in common than that and their edges.
+/// Tells whether the triangles around a vertex surely have no more in common than that and their
+/// edges.
 class SureVertices {
  public:
   SureVertices(const Mesh& mesh, const std::vector<Corners>& corners)
@@ -105,7 +108,8 @@ class SureVertices {
   }
 
  private:
-  /// How many triangles ahead: a few vertices, which takes as long as memory does.
+  /// The number of triangles that are fetched ahead: a few vertices, which takes as long as memory
+  /// does.
   static constexpr std::uint32_t kFetched = 32;
 
   void fetch(std::uint32_t first) const {

@@ -17,7 +17,7 @@
 namespace graze {
 namespace {
 
-/// Whether the balls around both prove that they are far apart: one test, and no tree is built.
+/// True if the balls around both prove that they are far apart: one test, and no tree is built.
 bool are_balls_apart(const PlacedMeshView& a, const PlacedMeshView& b, Work* work) {
   const bool is_apart = are_surely_far_apart({a.pose, MeshAccess::data(a.mesh).ball},
                                              {b.pose, MeshAccess::data(b.mesh).ball});
@@ -25,7 +25,7 @@ bool are_balls_apart(const PlacedMeshView& a, const PlacedMeshView& b, Work* wor
   return is_apart;
 }
 
-/// for_each_pair() by wide trees.
+/// Does for_each_pair() by wide trees.
 template <typename OnPair>
 void for_each_wide_pair(const PlacedMeshView& a, const PlacedMeshView& b, Touch touch, Work& work,
                         OnPair&& on_pair) {
@@ -86,7 +86,7 @@ bool intersects(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b,
       check_closed(mesh_a.mesh, "mesh A");
       check_closed(mesh_b.mesh, "mesh B");
     }
-    // Before there are counters: to clear them takes as long as to see this.
+    // This comes before there are counters: to clear them takes as long as to see this.
     if (settings.volume == PairVolume::WideObb && are_balls_apart(mesh_a, mesh_b, work))
       return false;
     CountedWork counted(work);

@@ -8,8 +8,8 @@
 namespace graze {
 namespace {
 
-/// Pairs that a walk hands out before it is shared: what ends sooner takes less time than to wake
-/// another thread.
+/// The number of pairs that a walk hands out before it is shared: what ends sooner takes less time
+/// than to wake another thread.
 constexpr std::size_t kPairsAlone = 64;
 
 auto into(std::vector<TrianglePair>& found) {
@@ -19,7 +19,7 @@ auto into(std::vector<TrianglePair>& found) {
   };
 }
 
-/// One query by many threads.
+/// Answers one query with many threads.
 class ParallelPairs {
  public:
   ParallelPairs(const WideQuery& query, Touch touch, int threads)
@@ -51,7 +51,7 @@ class ParallelPairs {
   }
 
  private:
-  /// Whether that was all.
+  /// Begins the walk alone. Returns whether that was all.
   bool begin_alone(Candidates& candidates, std::vector<TrianglePair>& found) {
     bvh::FoundPair places[bvh::WidePairWalk::kMany];
     for (std::size_t alone = 0; alone < kPairsAlone;) {
@@ -63,7 +63,7 @@ class ParallelPairs {
     return first_.is_over();
   }
 
-  /// Another thread, if there may be one more.
+  /// Wakes another thread, if there may be one more.
   void wake(std::size_t index) {
     if (index < shares_.size()) group_.run([this, index] { help(index); });
   }
@@ -73,7 +73,7 @@ class ParallelPairs {
       bvh::WidePairWalk walk = first_.another();
       SharedWalk::Turn turn = shared_.take(walk);
       if (!turn) return;
-      // Where there is work for one there may be for more.
+      // If there is work for one thread there may be for more.
       wake(2 * index + 1);
       wake(2 * index + 2);
       Share& share = shares_[index];
@@ -108,7 +108,7 @@ class ParallelPairs {
   SharedWalk shared_;
   std::vector<Share> shares_;
   tbb::task_group_context alone_{
-      tbb::task_group_context::isolated};  // as bvh/value/parallel.h says
+      tbb::task_group_context::isolated};  // isolated as bvh/value/parallel.h says
   tbb::task_group group_{alone_};
 };
 

@@ -1,13 +1,14 @@
 #pragma once
 
-// Private to engine/mesh.
+// This is private to engine/mesh.
 
 #include <graze/engine/mesh/query/wide_query.h>
 #include <vector>
 
 namespace graze {
 
-/// All pairs of triangles that meet, sorted, by so many threads (0: all that there are).
+/// Returns all pairs of triangles that meet, sorted. So many threads share the query; 0 means all
+/// that there are.
 std::vector<TrianglePair> find_pairs_in_parallel(const WideQuery& query, Touch touch, int threads,
                                                  Work& work);
 

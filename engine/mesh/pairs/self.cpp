@@ -27,7 +27,7 @@ struct WeldedTriangle {
   std::uint32_t welded[3];
 };
 
-/// Which corners of two triangles stand where, so that those whose welded vertices they share come
+/// The order of the corners of two triangles in which those whose welded vertices they share come
 /// first, in the same order.
 struct Adjacency {
   std::uint8_t corners_a[3] = {0, 1, 2};
@@ -35,8 +35,8 @@ struct Adjacency {
   std::uint8_t shared = 0;
 };
 
-/// `are_same` has bit 3 i + j if corner i of the one is corner j of the other. A vertex that a
-/// triangle repeats is shared once.
+/// Returns the adjacency for `are_same`, which has bit 3 i + j if corner i of the one is corner j
+/// of the other. A vertex that a triangle repeats is shared once.
 constexpr Adjacency adjacency_of(unsigned are_same) {
   Adjacency result;
   const auto are_equal = [&](int i, int j) {
@@ -57,7 +57,8 @@ constexpr Adjacency adjacency_of(unsigned are_same) {
   return result;
 }
 
-/// All of them: to compare and look up takes a third of the time that comparing and branching does.
+/// The adjacency for each value of `are_same`: to compare and look up takes a third of the time
+/// that comparing and branching does.
 constexpr auto kAdjacencies = [] {
   std::array<Adjacency, 512> all;
   for (unsigned are_same = 0; are_same < all.size(); ++are_same)
@@ -87,7 +88,7 @@ class SelfQuery {
     return {index, {welded_[t[0]], welded_[t[1]], welded_[t[2]]}};
   }
 
-  /// How the triangles meet; nothing if they are apart.
+  /// Returns how the triangles meet; nothing if they are apart.
   std::optional<SelfPairKind> meet(const WeldedTriangle& a, const WeldedTriangle& b) {
     ++work_.triangle_tests;
     const Adjacency& adjacency = adjacency_of(a, b);
@@ -123,8 +124,8 @@ class SelfQuery {
   Work& work_;
 };
 
-/// The tree in its own frame. No pose moves the mesh, so that the slack need only cover the
-/// rounding of the separations, as in relative_frame().
+/// Returns the tree's frame in itself. No pose moves the mesh, so that the slack need only cover
+/// the rounding of the separations, as in relative_frame().
 bvh::RelativeFrame own_frame() {
   return {.rotation = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
           .translation = {0, 0, 0},
@@ -140,13 +141,14 @@ void with_own_separation(Volume volume, const NodeVolumes& volumes, Use&& use) {
   with_separation(volume, own_frame(), volumes, volumes, use);
 }
 
-/// The triangles in clusters, labelled by the vertices around which they surely only meet as
-/// neighbours do.
+/// Returns the triangles in clusters, labelled by the vertices around which they surely only meet
+/// as neighbours do.
 bvh::Clusters clusters_of(const Mesh& mesh, const bvh::Tree& tree) {
   const std::vector<std::array<std::uint32_t, 3>> labels = corner_labels(mesh);
   const bvh::ToLocal to_local(tree.frame);
   const std::span<const Eigen::Vector3d> vertices = mesh.vertices();
-  constexpr std::uint32_t kFetched = 16;  // places ahead, which takes as long as memory does
+  constexpr std::uint32_t kFetched = 16;  // places that are fetched ahead, which takes as long as
+                                          // memory does
   return bvh::clusters_of(
       tree,
       [&](std::uint32_t place) {
@@ -205,14 +207,15 @@ void for_each_self_pair(const Mesh& mesh, const SelfSettings& settings, Work& wo
   for_each_self_pair(mesh, settings, work, on_pair, [](std::uint32_t) {});
 }
 
-/// How many pairs of triangles are tested, leaf by leaf, before clusters are made: where many
-/// intersect a pair that does is found sooner than that, and where none does this costs a twentieth
-/// of the rest.
+/// Returns how many pairs of triangles are tested, leaf by leaf, before clusters are made: where
+/// many intersect a pair that does is found sooner than that, and where none does this costs a
+/// twentieth of the rest.
 std::uint64_t tests_alone(const Mesh& mesh) {
   return 512 + mesh.triangles().size() / 8;
 }
 
-/// Whether any pair intersects, if the first few tests say so: all of a small mesh.
+/// Returns whether any pair intersects, if the first few tests say so. For a small mesh these are
+/// all.
 std::optional<bool> intersects_at_first(const Mesh& mesh, Volume volume, Work& work) {
   const NodeVolumes volumes = volumes_of(mesh, volume, work);
   const bvh::Tree& tree = tree_of(mesh);

@@ -1,6 +1,6 @@
 #pragma once
 
-// Pairs of a mesh with itself as they are found. Private to the library.
+// This hands out pairs of a mesh with itself as they are found. It is private to the library.
 
 #include <graze/bvh/traverse/traversal.h>
 #include <graze/engine/mesh/pair.h>

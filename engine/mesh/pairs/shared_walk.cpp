@@ -19,8 +19,8 @@ void SharedWalk::give(bvh::WidePairWalk& walk) {
 SharedWalk::Answer SharedWalk::try_take(bvh::WidePairWalk& walk) {
   const std::lock_guard lock(mutex_);
   if (offer_.empty()) return walking_ == 0 ? Answer::Never : Answer::Later;
-  // A few at a time: should this thread have to make way for another program's, the rest is there
-  // for others.
+  // A few pairs are walked at a time: should this thread have to make way for another program's,
+  // the rest is there for others.
   for (std::size_t left = (offer_.size() + 3) / 4; left > 0; --left) {
     walk.start_at(offer_.back());
     offer_.pop_back();

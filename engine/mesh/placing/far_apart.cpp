@@ -16,11 +16,11 @@ namespace {
 constexpr double kRootRounding = 0x10p-53;
 constexpr double kRootUnderflow = 0x1p-530;
 
-// A number of each of the two meshes, in a register of any CPU.
+// A pair of numbers, one of each of the two meshes, in a register of any CPU.
 using Both = double __attribute__((vector_size(16)));
 using BothBits = std::int64_t __attribute__((vector_size(16)));
 
-/// The absolute values.
+/// Returns the absolute values.
 inline Both absolute(Both v) {
   return reinterpret_cast<Both>(reinterpret_cast<BothBits>(v) &
                                 std::numeric_limits<std::int64_t>::max());
@@ -68,7 +68,8 @@ bool are_surely_far_apart(const PlacedBall& a, const PlacedBall& b) {
   Both m[16];
   for (int i = 0; i < 16; ++i)
     m[i] = Both{of_a[i], of_b[i]};
-  // As is_rigid() does; what its second look would let in is for others.
+  // This checks as is_rigid() does; poses that only its second look would let in are left to
+  // others.
   const auto product = [&](int i, int j) {
     return m[i] * m[j] + m[i + 1] * m[j + 1] + m[i + 2] * m[j + 2];
   };

@@ -1,7 +1,7 @@
 #pragma once
 
-// Balls around meshes, by which a query sees what is far away before it asks a tree. Private to
-// engine/mesh.
+// These are balls around meshes, by which a query sees what is far away before it asks a tree. They
+// are private to engine/mesh.
 
 #include <graze/bvh/aabb.h>
 #include <graze/bvh/pose.h>
@@ -12,11 +12,12 @@ namespace graze {
 
 struct MeshBall {
   double centre[3];  ///< the middle of the mesh's bounds
-  double radius;     ///< no vertex is further from there; infinite where that could overflow
+  double radius;     ///< the largest distance of a vertex from there; infinite where that could
+                     ///< overflow
   double sizes;      ///< sum of the magnitudes of the bounds' coordinates
 };
 
-/// Around vertices within `bounds`. Linear.
+/// Returns a ball around vertices that lie within `bounds`, in linear time.
 MeshBall ball_around(std::span<const Eigen::Vector3d> vertices, const Aabb& bounds);
 
 struct PlacedBall {
@@ -24,9 +25,9 @@ struct PlacedBall {
   const MeshBall& ball;
 };
 
-/// Whether check_placement() lets both poses in and no two placed points of the meshes are equal,
-/// both for sure: what most pairs of far meshes are, in a fraction of the time that frames of trees
-/// take. False tells nothing.
+/// True if check_placement() lets both poses in and no two placed points of the meshes are equal,
+/// both for sure: so it is for most pairs of far meshes, and this sees it in a fraction of the time
+/// that frames of trees take. False tells nothing.
 bool are_surely_far_apart(const PlacedBall& a, const PlacedBall& b);
 
 }  // namespace graze

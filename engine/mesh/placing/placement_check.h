@@ -1,6 +1,6 @@
 #pragma once
 
-// Private to engine/mesh.
+// This is private to engine/mesh.
 
 #include <graze/bvh/aabb.h>
 #include <graze/bvh/value/rigid.h>
@@ -9,10 +9,10 @@
 
 namespace graze {
 
-/// Nothing that is made of sizes that add up to less can overflow.
+/// If sizes add up to less than this, nothing that is made of them can overflow.
 inline constexpr double kFarFromOverflow = 0x1p1000;
 
-/// All that the corners of a box add to a placed coordinate.
+/// Returns the sum of all that the corners of a box add to a placed coordinate.
 inline double sum_of_sizes(const Aabb& bounds) {
   double sum = 0;
   for (int k = 0; k < 3; ++k)
@@ -20,8 +20,8 @@ inline double sum_of_sizes(const Aabb& bounds) {
   return sum;
 }
 
-/// Whether check_placement() surely lets a pose in whose rotation is off by `error`, for bounds of
-/// this sum_of_sizes(): nearly all poses. Entries of a rotation enlarge nothing.
+/// True if check_placement() surely lets in a pose whose rotation is off by `error`, for bounds of
+/// this sum_of_sizes(): so it does nearly all poses. Entries of a rotation enlarge nothing.
 inline bool is_surely_placeable(const Pose& pose, const bvh::RotationError& error, double sizes) {
   const double* t = pose.data() + 12;
   return bvh::is_rigid(pose, error) &&

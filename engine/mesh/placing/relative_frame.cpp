@@ -44,11 +44,11 @@ double largest_component(const double* v) {
 
 using bvh::dot;
 
-/// All but the rotation.
+/// Sets all of the relative frame but its rotation.
 inline void place(bvh::RelativeFrame& relative, const PlacedFrame& side_a,
                   const PlacedFrame& side_b) {
-  // Common units: those of the larger frame. Scaling by powers of two is exact; what underflows is
-  // covered by the last term of the slack.
+  // These are common units: those of the larger frame. Scaling by powers of two is exact; what
+  // underflows is covered by the last term of the slack.
   const int exponent = std::max(side_a.frame.exponent, side_b.frame.exponent);
   const double per_metre = bvh::power_of_two(-exponent);
 

@@ -17,7 +17,7 @@
 
 namespace graze {
 
-/// One search: what traverse_nearest() asks, and the best so far.
+/// One search, with the answers to traverse_nearest() and the best point so far.
 class NearestSearch::Descent {
  public:
   Descent(const NearestSearch& search, const Eigen::Vector3d& point)
@@ -26,7 +26,8 @@ class NearestSearch::Descent {
         framed_(framed(point, search.frame_)),
         gap_(std::max(search.largest_, point.cwiseAbs().maxCoeff())) {}
 
-  /// In common units, squared. These are those of the mesh's tree: a flat box has the least of all.
+  /// Returns the bound of a node, squared, in common units. These are those of the mesh's tree: a
+  /// flat box has the least of all.
   double of(std::uint32_t node) const {
     ++search_.work_.volume_tests;
     const bvh::FloatBox& box = search_.tree_.nodes[node].box;
@@ -36,7 +37,7 @@ class NearestSearch::Descent {
       const double gap = std::max(static_cast<double>(box.min[k]) - at[k],
                                   at[k] - static_cast<double>(box.max[k])) -
                          framed_.relative.slack;
-      // Without a branch, which nobody could foresee. What is no number prunes nothing.
+      // There is no branch, which nobody could foresee. What is no number prunes nothing.
       const double positive = std::max(gap, 0.0);
       square += positive * positive;
     }

@@ -1,6 +1,6 @@
 #pragma once
 
-// Private to engine/mesh.
+// This is private to engine/mesh.
 
 #include <graze/bvh/tree/tree.h>
 #include <graze/engine/mesh/distance.h>
@@ -15,11 +15,11 @@ namespace graze {
 /// Looks for nearest points of one placed mesh, for any number of points.
 class NearestSearch {
  public:
-  /// For a pose that has been checked, whose deviation from a rotation this is.
+  /// Takes a mesh in a pose that has been checked, whose deviation from a rotation this is.
   NearestSearch(const PlacedMeshView& placed, double deviation, Work& work);
 
-  /// What nearest_point() answers for a finite point. A triangle that may be near, such as the
-  /// answer for a point beside it, saves time and changes no result.
+  /// Answers nearest_point() for a finite point. A triangle that may be near, such as the answer
+  /// for a point beside it, saves time and changes no result.
   NearestPoint nearest_to(const Eigen::Vector3d& point, std::optional<std::uint32_t> hint);
 
  private:

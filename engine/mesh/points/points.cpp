@@ -15,7 +15,8 @@
 namespace graze {
 namespace {
 
-/// Points of a part: enough that what is made once for each does not count, few enough to share.
+/// The most points of a part: enough that what is made once for each does not count, few enough to
+/// share.
 constexpr std::size_t kMostInAPart = 4096;
 
 bool is_finite(const Eigen::Vector3d& point) {
@@ -77,12 +78,12 @@ void ask_all(std::size_t count, const BatchSettings& batch, Work* total, Ask&& a
                          });
 }
 
-/// Throws PoseError; returns the deviation from a rotation.
+/// Checks the pose. Throws PoseError; returns the deviation from a rotation.
 double check_pose(const PlacedMeshView& mesh) {
   return check_placement(mesh.pose, mesh.mesh.bounds(), "pose of the mesh");
 }
 
-/// A distance with the sign of the side on which its point lies.
+/// Returns a distance with the sign of the side on which its point lies.
 double with_side(double distance, const PlacedMeshView& mesh, const Eigen::Vector3d& point,
                  Work& work) {
   if (distance == 0) return 0;
@@ -93,7 +94,7 @@ std::vector<bool> contains_each(const PlacedMeshView& mesh, const PointRows& poi
                                 const BatchSettings& batch, Work* work) {
   check_pose(mesh);
   check_closed(mesh.mesh, "the mesh");
-  // Bits of one word are no place for many threads to write to.
+  // There is a char for each answer, because many threads cannot write to the bits of one word.
   std::vector<char> answers(points.size());
   ask_all(points.size(), batch, work, [&](std::size_t first, std::size_t last, Work& own) {
     for (std::size_t i = first; i < last; ++i)

@@ -1,5 +1,5 @@
-// What a ray meets of a placed mesh: triangles that the walk does not surely miss are placed, and
-// decided exactly.
+// This finds what a ray meets of a placed mesh: triangles that the walk does not surely miss are
+// placed, and decided exactly.
 
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/bvh/rays/ray_tree_walk.h>
@@ -17,10 +17,11 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// What on_hit() answers when it has seen enough.
+/// The answer of on_hit() when it has seen enough.
 constexpr double kEnough = -1;
 
-/// Each ray asks: a call takes longer than to see that there is nothing to make.
+/// Returns the tree for rays, which is made if there is none. Each ray asks: a call takes longer
+/// than to see that there is nothing to make.
 const MeshRays& made_rays(const Mesh& mesh, Work* work) {
   const auto& data = MeshAccess::data(mesh);
   if (data.are_rays_made.load(std::memory_order_acquire)) [[likely]]
@@ -28,7 +29,7 @@ const MeshRays& made_rays(const Mesh& mesh, Work* work) {
   return rays_of(mesh, work);
 }
 
-/// A placed mesh, for any number of rays.
+/// A placed mesh, prepared for any number of rays.
 class MeshForRays {
  public:
   MeshForRays(const PlacedMeshView& placed, Work* work)
@@ -42,8 +43,8 @@ class MeshForRays {
         triangles_(MeshAccess::data(placed.mesh).triangles) {}
 
   /// Calls `on_hit(hit, index)` for each placed triangle that the ray meets before a limit, metres,
-  /// to which that comes down when it returns one, until it returns kEnough. With RayAim::First
-  /// perhaps not for what is behind another, with RayAim::Any perhaps for one alone.
+  /// to which that comes down when it returns one, until it returns kEnough. With RayAim::First it
+  /// may leave out hits that are behind another, with RayAim::Any all but one.
   template <typename OnHit>
   void for_each_hit(const Ray& ray, bvh::RayAim aim, OnHit&& on_hit) const {
     const narrowphase::PreparedRay prepared(ray);
@@ -58,7 +59,7 @@ class MeshForRays {
     bvh::RayTreeWalk walk;
     Candidates found;
     begin(walk, prepared, bvh::RayAim::Any, nullptr, found);
-    // Where there is a sure one, a walk ends with it.
+    // If there is a sure one, the walk ended with it.
     for (std::size_t i = found.size; i-- > 0;) {
       if (found.items[i].is_sure) return true;
     }
@@ -81,7 +82,7 @@ class MeshForRays {
     std::size_t size;
   };
 
-  /// The first part of for_each_hit(), and all that it waits for memory for.
+  /// Does the first part of for_each_hit(), which is all that it waits for memory for.
   void begin(bvh::RayTreeWalk& walk, const narrowphase::PreparedRay& ray, bvh::RayAim aim,
              const double* points, Candidates& found) const {
     found.size = walk.begin(rays_.tree,
@@ -95,7 +96,7 @@ class MeshForRays {
     count(walk.counts());
   }
 
-  /// The other part.
+  /// Does the other part.
   template <typename OnHit>
   void finish(bvh::RayTreeWalk& walk, const narrowphase::PreparedRay& ray, Candidates& found,
               OnHit&& on_hit) const {
@@ -119,7 +120,7 @@ class MeshForRays {
     }
   }
 
-  /// Has the corners of the first candidate come nearer.
+  /// Fetches the corners of the first candidate.
   void fetch_corners(const Candidates& found) const {
     if (found.size == 0) return;
     for (const std::uint32_t vertex : triangles_[found.items[0].primitive])
@@ -127,9 +128,9 @@ class MeshForRays {
   }
 
  private:
-  /// The parameter before which all is at most that far away, metres.
+  /// Returns the parameter before which all is at most that far away, metres.
   double limit_for(const narrowphase::PreparedRay& ray, double distance) const {
-    // What most rays have: the walk need not wait for a root and a quotient.
+    // Most rays have no limit: the walk need not wait for a root and a quotient.
     if (distance == kInfinity) return kInfinity;
     return distance / bvh::length_of(ray.scaled) * frame_.per_metre * (1 + 0x10p-53) + 0x1p-1050;
   }
@@ -181,10 +182,10 @@ class MeshForRays {
   }
 
   const PlacedMeshView& placed_;
-  Work* work_;  ///< or none
+  Work* work_;  ///< counters, or null
   bool is_at_rest_;
   const MeshRays& rays_;
-  std::optional<bvh::RayFrame> own_frame_;  ///< of a pose that is one
+  std::optional<bvh::RayFrame> own_frame_;  ///< the frame of a pose that is not the identity
   const bvh::RayFrame& frame_;
   const Eigen::Vector3d* vertices_;
   std::span<const TriangleIndices> triangles_;

@@ -9,7 +9,7 @@
 namespace graze {
 namespace {
 
-/// Rays of a part: enough that what a pose costs does not count, few enough to share.
+/// The most rays of a part: enough that what a pose costs does not count, few enough to share.
 constexpr std::size_t kMostRaysInAPart = 4096;
 
 void check_rays(std::span<const Ray> rays) {

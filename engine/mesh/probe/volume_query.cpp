@@ -24,8 +24,8 @@
 namespace graze {
 namespace {
 
-/// What a query asks about, as all kinds of query see it: a box in a frame of its own, and the ball
-/// in it if that is meant.
+/// The volume that a query asks about, as all kinds of query see it: a box in a frame of its own,
+/// and the ball in it if that is meant.
 struct FramedVolume {
   enum class Kind { AxisAligned, Oriented, Ball } kind;
   Aabb box;
@@ -48,7 +48,8 @@ FramedVolume framed(const Obb& box) {
   return result;
 }
 
-/// What of the ball's box lies beyond the range of double is of no interest: no vertex does.
+/// Frames a ball. The part of its box beyond the range of double does not matter: no vertex is
+/// there.
 FramedVolume framed(const Sphere& ball) {
   bvh::check_sphere(ball, "sphere");
   constexpr double kLargest = std::numeric_limits<double>::max();
@@ -155,7 +156,7 @@ void for_each_triangle(const PlacedMeshView& placed, const FramedVolume& asked, 
   });
 }
 
-/// For a volume that does not touch the surface: one of its points decides for all.
+/// True if a volume that does not touch the surface is inside: one of its points decides for all.
 bool is_inside(const FramedVolume& asked, const PlacedMeshView& mesh, Work& work) {
   switch (asked.kind) {
     case FramedVolume::Kind::Oriented:

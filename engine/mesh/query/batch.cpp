@@ -8,14 +8,15 @@
 namespace graze {
 namespace {
 
-/// Parts for each thread, at least, where there are elements enough.
+/// The least number of parts for each thread, where there are elements enough.
 constexpr std::size_t kPartsPerThread = 16;
 
-/// As often a user hears of progress.
+/// The time between two reports of progress to the user.
 constexpr std::chrono::milliseconds kBetweenReports{50};
-/// What takes longer than this is looked at element by element.
+/// A step that takes longer than this is made element by element.
 constexpr std::chrono::milliseconds kLongStep{2};
-/// Elements between two looks at the clock, which takes a quarter of what the shortest query does.
+/// The most elements between two looks at the clock, which takes a quarter of what the shortest
+/// query does.
 constexpr std::size_t kLongestStep = 32;
 
 }  // namespace

@@ -1,6 +1,6 @@
 #pragma once
 
-// Private to engine/mesh.
+// This is private to engine/mesh.
 
 #include <graze/bvh/traverse/traversal.h>
 #include <graze/engine/mesh/pair.h>
@@ -56,7 +56,7 @@ class Candidates {
  private:
   bool does_lane_meet(const narrowphase::Verdicts& verdicts, int lane) {
     if ((verdicts.apart >> lane & 1) != 0) return false;
-    // Lanes of two that surely cross count as touching, too.
+    // Lanes of two triangles that surely cross count as touching, too.
     if ((verdicts.touching >> lane & 1) != 0) return true;
     return meet_though_unsure(batch_.triangle_a(lane), batch_.triangle_b(lane));
   }

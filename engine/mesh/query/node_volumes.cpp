@@ -5,7 +5,7 @@
 namespace graze {
 
 NodeVolumes volumes_of(const Mesh& mesh, Volume volume, Work& work) {
-  name_of(volume);  // throws for what is none
+  name_of(volume);  // throws for a value that is no volume
   NodeVolumes volumes;
   volumes.nodes = tree_of(mesh, &work).nodes;
   if (volume == Volume::Sphere) volumes.spheres = sphere_skin_of(mesh, &work);

@@ -1,6 +1,6 @@
 #pragma once
 
-// What queries compare, whatever volume they are asked to use. Private to engine/mesh.
+// Queries compare these volumes, whichever they are asked to use. They are private to engine/mesh.
 
 #include <graze/bvh/skins/kdop_separation.h>
 #include <graze/bvh/skins/node_separation.h>
@@ -22,7 +22,8 @@ struct NodeVolumes {
   std::span<const bvh::FloatKDop> kdops;
 };
 
-/// What `volume` needs of a mesh, which is made if this is the first time that it is needed.
+/// Returns what `volume` needs of a mesh, which is made if this is the first time that it is
+/// needed.
 NodeVolumes volumes_of(const Mesh& mesh, Volume volume, Work& work);
 
 /// Calls `use(separation)` with what proves nodes of A and B apart by `volume`.

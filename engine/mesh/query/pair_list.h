@@ -1,6 +1,6 @@
 #pragma once
 
-// Private to engine.
+// This is private to engine.
 
 #include <graze/engine/mesh/pair.h>
 #include <graze/engine/mesh/placed_mesh.h>
@@ -10,8 +10,8 @@
 
 namespace graze {
 
-/// All pairs of find_triangle_pairs() in a list that is used again: what it held is gone. Throws
-/// PoseError.
+/// Writes all pairs of find_triangle_pairs() into a list that is used again: what it held is gone.
+/// Throws PoseError.
 void find_triangle_pairs_into(std::vector<TrianglePair>& pairs, const PlacedMeshView& mesh_a,
                               const PlacedMeshView& mesh_b, Work& work);
 

@@ -8,7 +8,8 @@
 namespace graze {
 namespace {
 
-/// Poses of a part: enough that far ones, of a hundred nanoseconds each, outweigh its start.
+/// The most poses of a part: enough that far ones, of a hundred nanoseconds each, outweigh its
+/// start.
 constexpr std::size_t kMostInAPart = 64;
 
 void check_poses(const PlacedMeshView& a, const MeshInPoses& b) {
@@ -32,7 +33,7 @@ void answer_all(const PlacedMeshView& a, const MeshInPoses& b, const BatchSettin
   });
 }
 
-/// The same of yes and no: bits of one word are no place for many threads to write to.
+/// Does the same for answers of yes and no: many threads cannot write to the bits of one word.
 template <typename Ask>
 std::vector<bool> say_all(const PlacedMeshView& a, const MeshInPoses& b, const BatchSettings& batch,
                           Work* total, const Ask& ask) {

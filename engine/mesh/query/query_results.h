@@ -1,8 +1,8 @@
 #pragma once
 
-// How queries hand back what they find. Private to the library. Each query has one function that
-// calls `on_item(item)` for all there is to find, until it answers Stop; the rest is the same for
-// all.
+// These hand back what queries find. They are private to the library. Each query has one function
+// that calls `on_item(item)` for all there is to find, until it answers Stop; the rest is the same
+// for all.
 
 #include <graze/bvh/traverse/traversal.h>
 #include <graze/engine/mesh/pair.h>
@@ -33,7 +33,7 @@ class CountedWork {
   Work* total_;
 };
 
-/// Whether there is anything to find.
+/// True if there is anything to find.
 template <typename ForEach>
 bool has_any(ForEach&& for_each) {
   bool is_found = false;

@@ -1,4 +1,4 @@
-// Sorting by rank for each SIMD target that the compiler knows.
+// This sorts by rank for each SIMD target that the compiler knows.
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "graze/engine/mesh/query/rank_sort.cpp"
@@ -42,7 +42,7 @@ bool rank_sort(std::span<const std::uint64_t> numbers, std::uint64_t* sorted) {
       sum += ranks[lane];
     }
   }
-  // What is equal has the rank of the first of these, and leaves a gap.
+  // Equal numbers have the rank of the first of them, and leave a gap.
   return sum == size * (size - 1) / 2;
 }
 

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t kFewest = 8;  // measured
 
-/// One number for both indices.
+/// Returns one number for both indices.
 std::uint64_t number_of(TrianglePair pair) {
   return (std::uint64_t{pair.a} << 32) | pair.b;
 }

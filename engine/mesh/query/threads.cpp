@@ -34,7 +34,7 @@ void for_each_part(std::size_t count, int threads, const std::function<void(std:
     return;
   }
   run_in_arena(threads, [&] {
-    // Parts differ in cost, and are few: one at a time.
+    // Parts differ in cost, and are few: they are handed out one at a time.
     bvh::for_in_parallel(
         tbb::blocked_range<std::size_t>(0, count, 1),
         [&](const tbb::blocked_range<std::size_t>& range) {

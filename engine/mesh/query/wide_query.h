@@ -1,6 +1,6 @@
 #pragma once
 
-// Private to engine/mesh.
+// This is private to engine/mesh.
 
 #include <graze/bvh/wide/walk/wide_pair_walk.h>
 #include <graze/engine/mesh/data/mesh_trees.h>
@@ -27,7 +27,8 @@ struct PlacedTriangles {
     return narrowphase::place(pose, {vertices[t[0]], vertices[t[1]], vertices[t[2]]});
   }
 
-  // Large meshes are not in the cache, and where a triangle's corners stand is known last.
+  /// Fetch a triangle's indices and its corners. Large meshes are not in the cache, and where a
+  /// triangle's corners stand is known last.
   void fetch_indices(std::uint32_t index) const { hwy::Prefetch(&triangles[index]); }
   void fetch_corners(std::uint32_t index) const {
     for (const std::uint32_t corner : triangles[index])
@@ -65,7 +66,7 @@ struct WideQuery {
                   check_placement(mesh_a.pose, mesh_a.mesh.bounds(), "pose of mesh A"),
                   check_placement(mesh_b.pose, mesh_b.mesh.bounds(), "pose of mesh B"), work) {}
 
-  /// For poses that have been checked.
+  /// Builds a query of poses that have been checked.
   WideQuery(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b, double deviation_a,
             double deviation_b, Work& work)
       : a(mesh_a),
@@ -78,8 +79,8 @@ struct WideQuery {
         frame_b{b.pose, deviation_b, tree_b.frame(), b.mesh.bounds()},
         b_in_a(relative_frame(frame_a, frame_b)) {}
 
-  /// Whether the boxes of all that there is prove it: far apart is the common case, which is over
-  /// after one test.
+  /// True if the boxes of all that there is prove that the meshes are apart: far apart is the
+  /// common case, which is over after one test.
   bool are_far_apart(Work& work) const {
     ++work.volume_tests;
     const bool is_apart = bvh::are_apart_along_faces(b_in_a, tree_a.box(), tree_b.box());
@@ -116,7 +117,8 @@ struct WideQuery {
     return bvh::Walk::Continue;
   }
 
-  /// All that a walk still finds. Calls `on_pair(pair)` for each that meets, until it answers Stop.
+  /// Decides all that a walk still finds. Calls `on_pair(pair)` for each pair that meets, until it
+  /// answers Stop.
   template <typename OnPair>
   bvh::Walk decide_all(bvh::WidePairWalk& walk, Candidates& candidates, OnPair&& on_pair) const {
     bvh::FoundPair found[bvh::WidePairWalk::kMany];
@@ -127,8 +129,8 @@ struct WideQuery {
     return candidates.decide(on_pair);
   }
 
-  /// The same for a query that any pair ends: what one step of the walk has found is decided before
-  /// the next one, for it is likely to be the last.
+  /// Does the same for a query that any pair ends: what one step of the walk has found is decided
+  /// before the next one, for it is likely to be the last.
   template <typename OnPair>
   bvh::Walk decide_at_once(bvh::WidePairWalk& walk, Candidates& candidates,
                            OnPair&& on_pair) const {

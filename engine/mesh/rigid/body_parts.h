@@ -1,18 +1,18 @@
 #pragma once
 
-// Private to engine/mesh/rigid: parts of a body in its own frame, metres.
+// These are parts of a body in its own frame, metres. They are private to engine/mesh/rigid.
 
 #include <algorithm>
 #include <cmath>
 
 namespace graze {
 
-/// Of vectors of three components.
+/// Returns the dot product of vectors of three components.
 inline double dot_product(const double* a, const double* b) {
   return (a[0] * b[0] + a[1] * b[1]) + a[2] * b[2];
 }
 
-/// Where a part begins and ends along a direction.
+/// The interval of a part along a direction, from where it begins to where it ends.
 struct Extent {
   double low;
   double high;
@@ -23,8 +23,8 @@ struct BodyBox {
   double centre[3];
   double axes[3][3];  ///< rows
   double half[3];
-  double axes_error;  ///< what the extents' own rounding to float can add along any direction
-  double radius;      ///< no point is further from the axis of the body's motion
+  double axes_error;  ///< the error along any direction of the extents' own rounding to float
+  double radius;      ///< the largest distance of a point from the axis of the body's motion
 
   Extent along(const double (&m)[3]) const {
     double projected = axes_error;
@@ -35,13 +35,13 @@ struct BodyBox {
     return {middle - projected, middle + projected};
   }
 
-  /// Half of the longest edge.
+  /// Returns half of the longest edge.
   double size() const { return std::max(half[0], std::max(half[1], half[2])); }
 };
 
 struct BodyTriangle {
   double corners[3][3];
-  double radius;  ///< likewise
+  double radius;  ///< the largest distance of a corner from the axis of the body's motion
 
   Extent along(const double (&m)[3]) const {
     double at[3];

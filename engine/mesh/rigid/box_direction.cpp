@@ -1,6 +1,6 @@
-// Along which axis two boxes are furthest apart: those of the separating axis test, each divided by
-// its length, with the sums of bvh/value/separating_axes.h for two axes of B at a time. What comes
-// out is only a direction to try, so that rounding needs no bound here.
+// This finds the axis along which two boxes are furthest apart, among those of the separating axis
+// test, each divided by its length, with the sums of bvh/value/separating_axes.h for two axes of B
+// at a time. What comes out is only a direction to try, so that rounding needs no bound here.
 
 #include <graze/engine/mesh/rigid/box_direction.h>
 
@@ -12,10 +12,11 @@ namespace {
 using narrowphase::are_greater, narrowphase::both, narrowphase::both_of, narrowphase::magnitude,
     narrowphase::sign_bits;
 
-// Edges that are nearer to parallel have no cross product worth trying: squared sine.
+// Edges that are nearer to parallel than that have no cross product worth trying. This is the
+// squared sine.
 constexpr double kLeastSquare = 0x1p-10;
 
-/// An axis of a box in the common frame.
+/// Takes an axis of a box into the common frame.
 void place_axis(const Pose& pose, const double (&axis)[3], double (&placed)[3]) {
   const double* m = pose.data();
   for (int i = 0; i < 3; ++i)
@@ -26,7 +27,7 @@ void place_axis(const Pose& pose, const double (&axis)[3], double (&placed)[3]) 
 
 AxisSearch::AxisSearch(const PlacedBodies& placed, const BodyBox& a, const BodyBox& b, double limit)
     : placed_(placed), box_a_(a), box_b_(b), gap_(limit) {
-  double between[3];  // in the frame of body A
+  double between[3];  // the offset of the centres in the frame of body A
   for (int i = 0; i < 3; ++i) {
     between[i] = (dot_product(placed.pose_a.data() + 4 * i, placed.between) +
                   dot_product(placed.rotation[i], b.centre)) -
@@ -78,14 +79,14 @@ bool AxisSearch::try_faces(ApartDirection& direction) {
   return true;
 }
 
-/// Of one axis of A, with all three of B.
+/// Tries the cross products of one axis of A with all three of B.
 template <int I>
 void AxisSearch::try_edges_of() {
   constexpr int kOne = (I + 1) % 3, kTwo = (I + 2) % 3;
   const double(&half_a)[3] = box_a_.half;
   const double(&half_b)[3] = box_b_.half;
   const AlongB &s = size_[I], &r = rotation_[I];
-  // What an axis of B adds is what the two others of B extend along the cross product.
+  // An axis of B adds what the two others of B extend along the cross product.
   const TwoLanes one[2] = {TwoLanes{half_b[1], half_b[2]} * TwoLanes{s[2], s[0]},
                            TwoLanes{half_b[0] * s[1], 0}};
   const TwoLanes two[2] = {TwoLanes{half_b[2], half_b[0]} * TwoLanes{s[1], s[2]},
@@ -102,7 +103,7 @@ void AxisSearch::try_edges_of() {
     const TwoLanes is_better = both_of(are_greater(apart, both(0)),
                                        are_greater(apart * apart, both(gap_ * gap_) * square));
     const unsigned better = sign_bits(both_of(is_better, are_greater(square, both(kLeastSquare))));
-    if (better == 0) continue;  // mostly
+    if (better == 0) continue;  // as is mostly so
     if ((better & 1) != 0) take(distance[0], radius[0], square[0], I, 2 * h);
     if ((better & 2) != 0) take(distance[1], radius[1], square[1], I, 2 * h + 1);
   }
@@ -129,7 +130,7 @@ void AxisSearch::take(double distance, double radius, double square, int of_a, i
   j_ = of_b;
 }
 
-/// The axis in the common frame, from A to B.
+/// Returns the axis in the common frame, from A to B.
 void AxisSearch::set_direction(ApartDirection& direction) const {
   double a[3], b[3];
   if (i_ >= 0) place_axis(placed_.pose_a, box_a_.axes[i_], a);

@@ -1,6 +1,6 @@
 #pragma once
 
-// Private to engine/mesh/rigid.
+// This is private to engine/mesh/rigid.
 
 #include <graze/engine/mesh/rigid/moving_pair.h>
 #include <graze/narrowphase/lanes/two_lanes.h>
@@ -11,20 +11,20 @@ namespace graze {
 /// which are enough for most, then among the cross products of their edges.
 class AxisSearch {
  public:
-  /// Nothing counts that has them no further apart than so many metres, at least 0. What is given
-  /// must outlive this.
+  /// Takes two boxes, which must outlive this. An axis counts only if it has them further apart
+  /// than so many metres, at least 0.
   AxisSearch(const PlacedBodies& placed, const BodyBox& a, const BodyBox& b, double limit);
 
-  /// The best of the normals; false if there is none.
+  /// Finds the best of the normals. Returns false if there is none.
   bool try_faces(ApartDirection& direction);
 
-  /// The best of the cross products; false if none is better than all normals.
+  /// Finds the best of the cross products. Returns false if none is better than all normals.
   bool try_edges(ApartDirection& direction);
 
  private:
   using TwoLanes = narrowphase::TwoLanes;
 
-  /// Along the three axes of B: two, and the third beside a zero.
+  /// Three values along the axes of B: two, and the third beside a zero.
   struct AlongB {
     TwoLanes at[2];
     double operator[](int j) const { return at[j / 2][j % 2]; }
@@ -38,16 +38,17 @@ class AxisSearch {
   const PlacedBodies& placed_;
   const BodyBox& box_a_;
   const BodyBox& box_b_;
-  // Both boxes along the axes of the first.
+  /// Both boxes along the axes of the first.
   AlongB rotation_[3];
   AlongB size_[3];
   double offset_[3];
-  bool holds_centre_ = true;  ///< A that of B: then no axis has them apart
-  // The axis that is best so far.
+  bool holds_centre_ = true;  ///< whether A holds the centre of B, or B that of A: then no axis has
+                              ///< them apart
+  /// The axis that is best so far.
   double gap_;
-  double along_ = 0;  ///< of the centres
-  int i_ = -1;        ///< 0 to 2 of A, -1 for none
-  int j_ = -1;        ///< of B
+  double along_ = 0;  ///< the distance of the centres along it
+  int i_ = -1;        ///< its axis of A, 0 to 2, or -1 for none
+  int j_ = -1;        ///< its axis of B
 };
 
 }  // namespace graze

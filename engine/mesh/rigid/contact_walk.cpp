@@ -9,7 +9,8 @@
 namespace graze {
 namespace {
 
-/// Of the time that is left: what is nearer to a contact than that is for the walk to look at.
+/// The share of the time that is left at which narrowing ends: what is nearer to a contact than
+/// that is for the walk to look at.
 constexpr std::uint64_t kNarrowEnough = 1 << 14;
 
 }  // namespace
@@ -36,7 +37,7 @@ TimeSpan ContactWalk::before_low(const TimeCell& cell) const {
 void ContactWalk::find_near(std::uint64_t time) {
   low_ = time;
   if (end_ == End::AtAny || is_narrowed_) return;
-  // Both meshes are asked at a few times whether they meet: what is later than such a contact need
+  // At a few times the meshes are asked whether they meet: what is later than such a contact need
   // not be looked at, and most often a few steps before it is the answer. Without this what hits
   // takes twice as long, and three times with distances in place of a yes or no.
   is_narrowed_ = true;
@@ -97,9 +98,9 @@ void ContactWalk::open(const Visit& visit, const TimeSpan& span, const BodyBox& 
   if (a.is_leaf() && b.is_leaf()) return visit_leaves(visit);
   const double size_a = a.is_leaf() ? -1 : box_a.size();
   const double size_b = b.is_leaf() ? -1 : box_b.size();
-  // What moves further than it is large is known better after half of the time, else its parts are;
-  // of boxes that meet halfway rather their parts. Measured: with twice or half of these shares a
-  // nut on its bolt takes up to a half longer.
+  // Nodes that move further than they are large are divided in time, as they are known better after
+  // half of it; others are opened, and rather so if their boxes meet halfway. As measured, with
+  // twice or half of these shares a nut on its bolt takes up to a half longer.
   const double share = visit.has_direction ? 1 : 4;
   const double travel = pair_.displacement(span, box_a.radius, box_b.radius);
   const double room = share * std::max(size_a, size_b);
@@ -110,8 +111,8 @@ void ContactWalk::open(const Visit& visit, const TimeSpan& span, const BodyBox& 
     other.cell = visit.cell.later();
     if (record_ != nullptr) record_->halve_time();
   } else if (are_both_opened(a, b, size_a, size_b) && 2 * travel < room) {
-    // Of these mostly neither box alone would do; where time is halved soon it pays to wait. A
-    // record has one step at a time.
+    // Of these visits mostly neither box alone would do; where time is halved soon it pays to wait.
+    // A record has one step at a time.
     for (std::uint32_t i = 2; i-- > 0;) {
       for (std::uint32_t j = 2; j-- > 0;) {
         one.a = a.first + i;

@@ -1,6 +1,6 @@
 #pragma once
 
-// Private to engine/mesh/rigid.
+// This is private to engine/mesh/rigid.
 
 #include <graze/bvh/traverse/traversal.h>
 #include <graze/engine/mesh/rigid/freedom_record.h>
@@ -18,7 +18,7 @@ namespace graze {
 /// the grid at which two triangles are as near as the limit.
 class ContactWalk {
  public:
-  /// Whether a walk ends at any such time, or when it knows the first.
+  /// Says when a walk ends: at any such time, or when it knows the first.
   enum class End { AtAny, AtFirst };
 
   ContactWalk(MovingPair& pair, End end, std::uint64_t budget, Work& work)
@@ -30,13 +30,14 @@ class ContactWalk {
         boxes_b_(pair.b()),
         work_(work) {}
 
-  /// Has the walk tell each of its steps to `record`, which outlives it.
+  /// Lets the walk tell each of its steps to `record`, which outlives it.
   void record_in(FreedomRecord& record) { record_ = &record; }
 
-  /// Such a time. The end of the grid if there is none: then all is further apart at all times.
+  /// Returns such a time. It is the end of the grid if there is none: then all is further apart at
+  /// all times.
   std::uint64_t run();
 
-  /// Whether the budget ended first, and the time is that up to which all was proved.
+  /// True if the budget ended first, so that the time is that up to which all was proved.
   bool is_out_of_budget() const { return is_out_of_budget_; }
 
  private:
@@ -45,11 +46,11 @@ class ContactWalk {
     std::uint32_t a;
     std::uint32_t b;
     TimeCell cell;
-    bool has_direction;  ///< whether there is one that may keep them apart
+    bool has_direction;  ///< whether there is a direction that may keep them apart
     ApartDirection direction;
   };
 
-  /// Two triangles in one, with what kept them apart before and after.
+  /// Two triangles in one cell of time, and what kept them apart before and after.
   struct DirectedCell {
     TimeCell cell;
     bool has_direction;
@@ -58,17 +59,18 @@ class ContactWalk {
 
   void visit(const Visit& visit);
   void open(const Visit& visit, const TimeSpan& span, const BodyBox& box_a, const BodyBox& box_b);
-  /// Whether two nodes are opened at once: boxes of much the same size.
+  /// True if two nodes are opened at once: boxes of much the same size.
   bool are_both_opened(const bvh::Node& a, const bvh::Node& b, double size_a, double size_b) const;
   void visit_leaves(const Visit& visit);
   void decide(TrianglePair of_bodies, const DirectedCell& whole);
   void find_near(std::uint64_t time);
 
-  /// The last boxes of nodes of one body: most visits come upon one that was there just before.
+  /// Keeps the last boxes of nodes of one body: most visits come upon one that was there just
+  /// before.
   class RecentBoxes {
    public:
     explicit RecentBoxes(const MovingBody& body) : body_(body) { nodes_.fill(kNone); }
-    /// Valid until the next call.
+    /// Returns the box of a node, valid until the next call.
     const BodyBox& of(std::uint32_t node) {
       const std::size_t place = node % kPlaces;
       if (nodes_[place] != node) {
@@ -87,10 +89,10 @@ class ContactWalk {
     std::array<BodyBox, kPlaces> boxes_;
   };
 
-  /// What of a cell is still to be proved.
+  /// Returns the part of a cell that is still to be proved.
   TimeSpan before_low(const TimeCell& cell) const;
 
-  /// One test of the budget; false if there is none.
+  /// Spends one test of the budget. Returns false if there is none.
   bool spend();
 
   MovingPair& pair_;
@@ -98,7 +100,7 @@ class ContactWalk {
   bool is_narrowed_ = false;
   bvh::TraversalStack<Visit, 256> open_;
   std::uint64_t low_;
-  std::uint64_t unproved_ = ~std::uint64_t{0};  ///< where the budget ended, the first time left
+  std::uint64_t unproved_ = ~std::uint64_t{0};  ///< the first time left where the budget ended
   std::uint64_t budget_;
   bool is_out_of_budget_ = false;
   FreedomRecord* record_ = nullptr;

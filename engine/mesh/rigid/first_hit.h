@@ -1,6 +1,6 @@
 #pragma once
 
-// How witnesses are found. Private to the library.
+// This finds witnesses. It is private to the library.
 
 #include <algorithm>
 #include <cstdint>
@@ -8,8 +8,9 @@
 
 namespace graze {
 
-/// A time k from `low` to `end` with `is_hit(k)`, if steps that double come upon one; then one that
-/// the time before it has not. A hit that lasts as long as it took to come there is found.
+/// Returns a time k from `low` to `end` with `is_hit(k)`, if steps that double come upon one, and
+/// narrows it to one that the time before it has not. A hit that lasts as long as it took to come
+/// there is found.
 template <typename IsHit>
 std::optional<std::uint64_t> first_hit(std::uint64_t low, std::uint64_t end, const IsHit& is_hit) {
   if (is_hit(low)) return low;

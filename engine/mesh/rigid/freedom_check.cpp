@@ -1,4 +1,5 @@
-// The checker of certificates, by itself: what is claimed, in interval arithmetic.
+// This checks certificates, and depends on nothing else: it proves what is claimed in interval
+// arithmetic.
 //
 // A vertex x starts at p = R x + o and is at c + t s + Q(t) (p - c), with Q(t) the rotation by t
 // angle about the axis a. Along a normal n that is n . (c + t s) + m . (p - c), m = Q(t)^T n. While
@@ -37,8 +38,8 @@ Vector cross(const Vector& a, const Vector& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-/// Sine and 1 - cosine, by Taylor's series about 0 of an angle less whole turns; what is left of
-/// these, below 3.2^31 / 31! and 3.2^32 / 32!, is less than 2^-60.
+/// Returns sine and 1 - cosine, by Taylor's series about 0 of an angle less whole turns; what is
+/// left of these, below 3.2^31 / 31! and 3.2^32 / 32!, is less than 2^-60.
 std::array<Interval, 2> sine_and_versine(const Interval& angle) {
   const Interval whole_turn(0x1.921fb54442d18p+2, 0x1.921fb54442d19p+2);
   const Interval x = angle - whole_turn * std::round(angle.low / whole_turn.low);
@@ -52,8 +53,8 @@ std::array<Interval, 2> sine_and_versine(const Interval& angle) {
   return {x * sine + rest, square * versine * 0.5 + rest};
 }
 
-/// How high triangles are along a normal, at least: at both ends of a stretch of time; and by how
-/// much they may be lower in between than the line between these.
+/// The heights of triangles along a normal, at least: those at both ends of a stretch of time, and
+/// by how much triangles may be lower in between than the line between these.
 struct Heights {
   double least[2];
   double bulge;
@@ -90,7 +91,7 @@ struct Body {
     rounding = 0x1p-40 * (1 + std::abs(motion.angle()) * 0x1p-8) * sizes;
   }
 
-  /// What the triangles order[first] to order[last - 1] do from t0 to t1.
+  /// Returns the heights of the triangles order[first] to order[last - 1] from t0 to t1.
   Heights heights(const Vector& n, double t0, double t1, std::uint32_t first,
                   std::uint32_t last) const {
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -125,7 +126,7 @@ struct Body {
   }
 };
 
-/// What is still to be proved.
+/// The times and the triangles for which something is still to be proved.
 struct Open {
   double t0, t1;
   std::uint32_t first_a, last_a, first_b, last_b;
@@ -146,7 +147,7 @@ bool keeps_apart(const Body& a, const Body& b, const Open& open, const Eigen::Ve
          (Interval(of_a.least[1]) + of_b.least[1]).low > least;
 }
 
-/// Whether each of 0 to size - 1 is there once.
+/// True if each of 0 to size - 1 is there once.
 bool is_permutation(std::span<const std::uint32_t> order, std::size_t size) {
   std::vector<bool> is_there(size);
   for (const std::uint32_t index : order) {
@@ -156,7 +157,8 @@ bool is_permutation(std::span<const std::uint32_t> order, std::size_t size) {
   return order.size() == size;
 }
 
-/// Both halves, of which the first is looked at first; false if there is nothing to divide.
+/// Puts both halves on the stack, of which the first is looked at first. Returns false if there is
+/// nothing to divide.
 bool divide(std::vector<Open>& stack, const Open& open, const FreedomStep& step) {
   Open one = open, other = open;
   switch (step.kind) {
@@ -182,7 +184,7 @@ bool divide(std::vector<Open>& stack, const Open& open, const FreedomStep& step)
 
 bool is_proved(const FreedomCertificate& certificate, const Body& a, const Body& b) {
   const std::size_t size_a = a.mesh.triangles().size(), size_b = b.mesh.triangles().size();
-  constexpr double kLargest = 0x1p400;  // metres: likewise
+  constexpr double kLargest = 0x1p400;  // in metres, likewise
   if (!(certificate.clearance >= 0 && certificate.clearance < kLargest)) return false;
   if (!(a.rounding < kLargest && b.rounding < kLargest)) return false;
   if (!is_permutation(a.order, size_a) || !is_permutation(b.order, size_b)) return false;

@@ -1,6 +1,6 @@
 #pragma once
 
-// Private to engine/mesh/rigid.
+// This is private to engine/mesh/rigid.
 
 #include <graze/bvh/tree/tree.h>
 #include <graze/engine/mesh/rigid_certificate.h>
@@ -10,7 +10,7 @@
 
 namespace graze {
 
-/// What a walk over two trees proves, step by step: a certificate, if it proves all.
+/// Records what a walk over two trees proves, step by step: a certificate, if it proves all.
 class FreedomRecord {
  public:
   FreedomRecord(const bvh::Tree& tree_a, const bvh::Tree& tree_b)
@@ -24,7 +24,7 @@ class FreedomRecord {
   }
   void halve_time() { add({FreedomStep::Kind::HalveTime, 0, {0, 0, 0}}); }
 
-  /// After the triangles of a node.
+  /// Divide after the triangles of a node.
   void divide_a(std::uint32_t node) { divide_a_after(sizes_a_[node]); }
   void divide_b(std::uint32_t node) { divide_b_after(sizes_b_[node]); }
 
@@ -39,10 +39,10 @@ class FreedomRecord {
  private:
   void add(const FreedomStep& step) { certificate_.steps.push_back(step); }
 
-  /// How many triangles are below each node.
+  /// Returns how many triangles are below each node.
   static std::vector<std::uint32_t> sizes_of(const bvh::Tree& tree);
 
-  /// The triangles leaf by leaf, as a walk comes by them that takes first children first.
+  /// Returns the triangles leaf by leaf, as a walk comes by them that takes first children first.
   static std::vector<std::uint32_t> order_of(const bvh::Tree& tree);
 
   std::vector<std::uint32_t> sizes_a_;

@@ -1,6 +1,6 @@
 #pragma once
 
-// Private to engine/mesh/rigid.
+// This is private to engine/mesh/rigid.
 
 #include <algorithm>
 #include <cmath>
@@ -8,9 +8,9 @@
 
 namespace graze {
 
-/// All numbers from low to high, which hold what is computed in real arithmetic. Each bound is
+/// All numbers from low to high, among which is what is computed in real arithmetic. Each bound is
 /// rounded to nearest and then moved by 2^-52 of it, at least to the next double, and by the
-/// smallest there is. For numbers that do not overflow.
+/// smallest there is. Numbers must not overflow.
 struct Interval {
   double low;
   double high;
@@ -40,12 +40,12 @@ struct Interval {
   }
 };
 
-/// Of what is surely above 0.
+/// Returns the reciprocal of what is surely above 0.
 inline Interval reciprocal(const Interval& a) {
   return Interval::outward(1 / a.high, 1 / a.low);
 }
 
-/// Of what is not negative: a low bound below 0 is rounding.
+/// Returns the root of what is not negative: a low bound below 0 is rounding.
 inline Interval root(const Interval& a) {
   return Interval::outward(std::sqrt(std::max(a.low, 0.0)), std::sqrt(a.high));
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-// Private to engine/mesh/rigid.
+// This is private to engine/mesh/rigid.
 
 #include <graze/engine/mesh/rigid/moving_pair.h>
 
@@ -9,14 +9,14 @@
 
 namespace graze {
 
-/// What a direction says of parts of two bodies in a span of time.
+/// The answers of a direction about parts of two bodies in a span of time.
 enum class Apart {
   Always,  ///< they do not come as near as the limit
   AtEnds,  ///< they are further apart at both ends, but may bulge towards each other in between
   Unsure
 };
 
-/// A direction at one time, and in the frames of both bodies.
+/// A direction at one time, in the frames of both bodies.
 struct SeenDirection {
   double in_a[3];
   double in_b[3];
@@ -29,7 +29,7 @@ struct SeenDirection {
   }
 };
 
-/// How far B begins behind where A ends.
+/// Returns how far B begins behind where A ends.
 template <typename Part>
 double gap_along(const PlacedBodies& placed, const ApartDirection& direction, const Part& a,
                  const Part& b) {
@@ -38,8 +38,8 @@ double gap_along(const PlacedBodies& placed, const ApartDirection& direction, co
          (b.along(seen.in_b).low - a.along(seen.in_a).high);
 }
 
-/// By how much parts of both, together, may leave the line between their places at both ends
-/// towards each other.
+/// Returns by how much parts of both, together, may leave the line between their places at both
+/// ends towards each other.
 ///
 /// Let a body turn by w in a span, and let q be a point of it as seen from the axis, at right
 /// angles to that: at most r long. Along a direction n its second derivative over the span is -w^2
@@ -50,7 +50,7 @@ template <typename Part>
 double bulge(MovingPair& pair, const TimeSpan& span, const ApartDirection& direction, const Part& a,
              const Part& b) {
   const double length = pair.grid().length(span);
-  double most_a = 0, most_b = 0;  // of n . q of A, and of -(n . q) of B
+  double most_a = 0, most_b = 0;  // the largest n . q of A, and -(n . q) of B
   const auto across = [&](const RigidMotion& motion, double(&n)[3]) {
     const double* axis = motion.axis().data();
     const double along = dot_product(direction.n, axis);
@@ -74,13 +74,13 @@ double bulge(MovingPair& pair, const TimeSpan& span, const ApartDirection& direc
   return of(pair.a().turned, a.radius, most_a) + of(pair.b().turned, b.radius, most_b);
 }
 
-/// Whether a direction keeps two parts, in the frames of their bodies, further apart than the limit
-/// in the whole span.
+/// Returns whether a direction keeps two parts, in the frames of their bodies, further apart than
+/// the limit in the whole span.
 template <typename Part>
 Apart keeps_apart(MovingPair& pair, const TimeSpan& span, const ApartDirection& direction,
                   const Part& a, const Part& b) {
   const double at_first = gap_along(pair.at(span.first), direction, a, b);
-  if (!(at_first > pair.sure_limit())) return Apart::Unsure;  // half of all: no look at the other
+  if (!(at_first > pair.sure_limit())) return Apart::Unsure;  // half of all cases end here
   const double gap = std::min(at_first, gap_along(pair.at(span.last), direction, a, b));
   const double spare = gap - pair.sure_limit();
   if (!(spare > 0)) return Apart::Unsure;

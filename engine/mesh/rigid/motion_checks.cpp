@@ -13,11 +13,12 @@
 namespace graze {
 namespace {
 
-// What turning a pose rounds: an entry of Q - 1 is off by less than 2^-49, and the product with
-// three entries of the start rounds less than 2^-51; twice the sum of three of these is below it.
+// Turning a pose rounds no more than this: an entry of Q - 1 is off by less than 2^-49, and the
+// product with three entries of the start rounds less than 2^-51; twice the sum of three of these
+// is below it.
 constexpr double kRoundingOfTurns = 0x1p-40;
 
-// Squares of lengths that add up to less do not overflow.
+// The squares of lengths that add up to less than this do not overflow.
 constexpr double kLongest = 0x1p500;
 
 double sum_of_sizes(const double* v) {
@@ -56,7 +57,7 @@ Eigen::Vector3d unit_axis(const Eigen::Vector3d& axis) {
   // rounds once more, so that its squares add up to 1 but for 7 u, and their sum is rounded thrice.
   constexpr double kOfLengthOne = 0x1.8p-50;  // 12 u
   if (std::abs(a[0] * a[0] + a[1] * a[1] + a[2] * a[2] - 1) <= kOfLengthOne) return axis;
-  // Squares neither overflow nor underflow; a power of two is exact.
+  // The squares neither overflow nor underflow; scaling by a power of two is exact.
   const int exponent = -std::ilogb(size);
   double scaled[3];
   for (int i = 0; i < 3; ++i)

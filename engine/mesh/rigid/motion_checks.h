@@ -1,6 +1,6 @@
 #pragma once
 
-// The door of motions (laws 10 and 14). Private to engine/mesh/rigid.
+// These are the door of motions (laws 10 and 14). They are private to engine/mesh/rigid.
 
 #include <graze/bvh/aabb.h>
 #include <graze/engine/mesh/rigid_contact.h>
@@ -11,25 +11,26 @@ namespace graze {
 /// Throws PoseError, which begins with `what`, for a pose that no motion starts from.
 void check_start(const Pose& pose, const char* what);
 
-/// Throw InputError.
+/// Throw InputError for numbers that are not finite, and for an angle above kMostTurned.
 void check_finite(const Eigen::Vector3d& vector, const char* what);
 void check_angle(double angle);
 
-/// The axis with a length of 1. Throws InputError.
+/// Returns the axis with a length of 1. Throws InputError.
 Eigen::Vector3d unit_axis(const Eigen::Vector3d& axis);
 
 /// Throws InputError for a clearance or a tolerance that is no distance; returns the settings.
 const RigidContactSettings& check_settings(const RigidContactSettings& settings);
 
-/// All lengths that a motion is made of, added up, metres: no coordinate of the body's origin is
-/// larger at any t. The distance of a centre counts as far as turning about it moves something.
+/// Returns all lengths that a motion is made of, added up, metres: no coordinate of the body's
+/// origin is larger at any t. The distance of a centre counts as far as turning about it moves
+/// something.
 double sum_of_lengths(const RigidMotion& motion);
 
-/// Throws PoseError if the origin could overflow.
+/// Throws PoseError if the body's origin could overflow.
 void check_coordinates(const RigidMotion& motion);
 
-/// Throws PoseError, which begins with `what`, if a point of the body, within `bounds`, could, or a
-/// product of two coordinates.
+/// Throws PoseError, which begins with `what`, if a point of the body, within `bounds`, could
+/// overflow, or a product of two coordinates.
 void check_coordinates(const RigidMotion& motion, const Aabb& bounds, const char* what);
 
 }  // namespace graze

@@ -1,4 +1,4 @@
-// Motions from what users have: two poses, a screw, velocities.
+// This makes motions from what users have: two poses, a screw, velocities.
 
 #include <graze/bvh/error.h>
 #include <graze/bvh/floating_point/standard_arithmetic.h>
@@ -14,12 +14,13 @@
 namespace graze {
 namespace {
 
-// Below it the line of a screw is further away than a million times how far the body goes.
+// The least turn between two poses with a screw. Below it the line of the screw is further away
+// than a million times how far the body goes.
 constexpr double kLeastTurn = 0x1p-20;
 
 struct Turn {
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();
-  double angle = 0;  // radians, from 0 to pi
+  double angle = 0;  ///< radians, from 0 to pi
 };
 
 double dot(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
@@ -31,10 +32,10 @@ Eigen::Vector3d cross(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
           a.x() * b.y() - a.y() * b.x()};
 }
 
-/// The turn that takes one rotation to another, by the quaternion of it: of its four components the
-/// largest is a root, so that nothing is lost near half a turn.
+/// Returns the turn that takes one rotation to another, by the quaternion of it: of its four
+/// components the largest is a root, so that nothing is lost near half a turn.
 Turn turn_between(const Pose& start, const Pose& end) {
-  double q[3][3];  // end start^T
+  double q[3][3];  // this is end start^T
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) {
       const double *e = end.data() + i, *s = start.data() + j;
@@ -44,7 +45,7 @@ Turn turn_between(const Pose& start, const Pose& end) {
   const double trace = q[0][0] + q[1][1] + q[2][2];
   double w = 1 + trace;
   Eigen::Vector3d v(q[2][1] - q[1][2], q[0][2] - q[2][0], q[1][0] - q[0][1]);
-  int i = 0;  // whose square is the largest of the three
+  int i = 0;  // the component whose square is the largest of the three
   for (int k = 1; k < 3; ++k)
     i = q[k][k] > q[i][i] ? k : i;
   if (const double largest = 1 + 2 * q[i][i] - trace; largest > w) {
@@ -59,7 +60,7 @@ Turn turn_between(const Pose& start, const Pose& end) {
     v = -v;
   }
   const double square = dot(v, v);
-  if (square < 0x1p-200) return {};  // no turn that a pose could tell
+  if (square < 0x1p-200) return {};  // there is no turn that a pose could tell
   const double size = std::sqrt(square), length = std::sqrt(square + w * w);
   return {v / size, 2 * angle_of({size / length, w / length})};
 }

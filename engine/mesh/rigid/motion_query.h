@@ -1,6 +1,6 @@
 #pragma once
 
-// Private to engine/mesh/rigid.
+// This is private to engine/mesh/rigid.
 
 #include <graze/engine/mesh/rigid/contact_walk.h>
 #include <graze/engine/mesh/rigid/motion_checks.h>
@@ -9,7 +9,7 @@
 
 namespace graze {
 
-/// What all questions about two motions begin with.
+/// The bodies and their pair, with which all questions about two motions begin.
 struct MotionQuery {
   MovingBody a;
   MovingBody b;
@@ -17,7 +17,8 @@ struct MotionQuery {
   const RigidContactSettings& settings;
   Work& work;
 
-  /// Throws InputError for settings that are none, PoseError for motions that lead too far away.
+  /// Throws InputError for settings that are not valid, PoseError for motions that lead too far
+  /// away.
   MotionQuery(const Mesh& mesh_a, const RigidMotion& motion_a, const Mesh& mesh_b,
               const RigidMotion& motion_b, const RigidContactSettings& of_settings, Work& of_work)
       : a(mesh_a, motion_a, "motion of mesh A", of_work),

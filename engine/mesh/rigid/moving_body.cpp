@@ -1,9 +1,8 @@
-// What is computed of a placed vertex, with u = 2^-53 and S the sum of the sizes of the mesh's
-// bounds and of the lengths of its motion:
+// This bounds how far what is computed of a placed vertex is off, with u = 2^-53 and S the sum of
+// the sizes of the mesh's bounds and of the lengths of its motion:
 //   - entries of Q - 1 are off by 44 u: 8 u for versines and for sines, 4 u for products, and an
-//   axis
-//     is of length 1 but for 6 u, which counts twice, for entries of at most 2. Those of Q R by 84
-//     u, and so a vertex by 84 u S, and as much by the translation;
+//     axis is of length 1 but for 6 u, which counts twice, for entries of at most 2. Those of Q R
+//     are off by 84 u, and so is a vertex by 84 u S, and as much by the translation;
 //   - law 1 rounds 8 u S, a gap of boxes along a direction 20 u S, a distance (law 7) 16 u S.
 // Added up and along a direction, of 1-norm 1.74 at most, that is less than 400 u S of 1024 u S.
 // The product of t and the angle is off by u of it, which turns the body: less than 2^-53 turned
@@ -21,10 +20,11 @@
 namespace graze {
 namespace {
 
-// The start of a motion is a rotation up to 1e-6, and a root and products are rounded a few times.
+// Lengths may grow by this factor: the start of a motion is a rotation up to 1e-6, and a root and
+// products are rounded a few times.
 constexpr double kStretch = 1 + 0x1p-18;
 
-// What is lost where squares underflow.
+// This covers what is lost where squares underflow.
 constexpr double kLeast = 0x1p-500;
 
 double length_of(const double (&v)[3]) {
@@ -79,7 +79,8 @@ BodyBox MovingBody::box(std::uint32_t node) const {
     for (int k = 0; k < 3; ++k)
       box.axes[i][k] = static_cast<double>(from.axes[i][k]);
   }
-  // Axes are known up to kAxisError in each component, of a direction whose 1-norm is at most 1.74.
+  // The axes are known up to kAxisError in each component, of a direction whose 1-norm is at most
+  // 1.74.
   box.axes_error = 2 * bvh::FloatObb::kAxisError * (box.half[0] + box.half[1] + box.half[2]);
   box.radius =
       turned == 0 ? 0 : with_rounding(distance_from_axis(box.centre) + length_of(box.half));

@@ -1,6 +1,6 @@
 #pragma once
 
-// Private to engine/mesh/rigid.
+// This is private to engine/mesh/rigid.
 
 #include <graze/bvh/skins/float_volumes.h>
 #include <graze/bvh/tree/tree.h>
@@ -13,21 +13,22 @@
 
 namespace graze {
 
-/// A mesh that moves, with what bounds how far it gets. All bounds are upward.
+/// A mesh that moves, with bounds of how far it gets. All bounds are upward.
 struct MovingBody {
-  /// Throws PoseError, which begins with `what`. Builds the tree and its boxes if nobody has.
+  /// Builds the tree and its boxes if nobody has. Throws PoseError, which begins with `what`.
   MovingBody(const Mesh& of_mesh, const RigidMotion& in_motion, const char* what, Work& work);
 
   const Mesh& mesh;
   const RigidMotion& motion;
   const bvh::Tree& tree;
-  std::span<const bvh::FloatObb> boxes;  ///< one for each node
-  double unit;                           ///< metres for each of the tree's
+  std::span<const bvh::FloatObb> boxes;  ///< one box for each node
+  double unit;                           ///< metres for each unit of the tree's
   double turned;                         ///< the size of the angle
-  double radius;                         ///< of all vertices about the axis, metres
-  double rounding;  ///< of all that is computed of a placed vertex, metres, along any direction
+  double radius;                         ///< the largest distance of a vertex from the axis, metres
+  double rounding;  ///< the rounding of all that is computed of a placed vertex, metres, along any
+                    ///< direction
 
-  /// The box of a node, with how far from the axis its points are at most.
+  /// Returns the box of a node, and how far from the axis its points are at most.
   BodyBox box(std::uint32_t node) const;
 
   BodyTriangle triangle(std::uint32_t index) const;

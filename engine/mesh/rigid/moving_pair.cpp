@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::uint64_t kNever = ~std::uint64_t{0};
 
-/// How far the centres of both bodies move against each other.
+/// Returns how far the centres of both bodies move against each other.
 double relative_shift(const RigidMotion& a, const RigidMotion& b) {
   double d[3];
   for (int i = 0; i < 3; ++i)

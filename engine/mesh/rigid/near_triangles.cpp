@@ -7,7 +7,8 @@
 namespace graze {
 namespace {
 
-/// From one point to another; false if they are so near that it has none.
+/// Sets the direction from one point to another. Returns false if they are so near that it has
+/// none.
 template <typename Point>
 bool set_direction(ApartDirection& direction, const Point& from, const Point& to) {
   double square = 0;
@@ -22,8 +23,8 @@ bool set_direction(ApartDirection& direction, const Point& from, const Point& to
   return true;
 }
 
-/// From what look like the nearest points. Any direction is possible, most are right: a proof is
-/// for whoever uses it.
+/// Sets the direction between what look like the nearest points. Any direction is possible, most
+/// are right: it proves nothing before it is used in a proof.
 bool guess_direction(const Triangle& a, const Triangle& b, ApartDirection& direction) {
   const narrowphase::OrderedTriangles ordered = narrowphase::ordered(a, b);
   const auto witness = narrowphase::rounded_witness(ordered, narrowphase::guess_nearest(ordered));
@@ -34,8 +35,8 @@ bool guess_direction(const Triangle& a, const Triangle& b, ApartDirection& direc
 
 }  // namespace
 
-/// The normal of a triangle at that pose, from A to B; false if neither way has the two further
-/// apart than the limit.
+/// Sets the direction to the normal of a triangle at that pose, from A to B. Returns false if
+/// neither way has the two further apart than the limit.
 bool MovingTriangles::set_to_normal(const PlacedBodies& placed, const BodyTriangle& triangle,
                                     const Pose& pose, ApartDirection& direction) const {
   double edge[2][3], own[3];

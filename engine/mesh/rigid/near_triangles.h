@@ -1,6 +1,6 @@
 #pragma once
 
-// Private to engine/mesh/rigid.
+// This is private to engine/mesh/rigid.
 
 #include <graze/engine/mesh/rigid/keeps_apart.h>
 #include <graze/engine/mesh/triangle_pairs.h>
@@ -22,12 +22,12 @@ class MovingTriangles {
     return keeps_apart(pair_, span, direction, a_, b_);
   }
 
-  /// Whether the normal of one of them, as it stands at that time, keeps them apart in the whole
-  /// span; then that is the direction. A tenth of is_near()'s work, and enough where a surface is
-  /// smooth.
+  /// True if the normal of one of them, as it stands at that time, keeps them apart in the whole
+  /// span; then it is the direction. That takes a tenth of is_near()'s work, and is enough where a
+  /// surface is smooth.
   bool are_apart_by_normals(const TimeSpan& span, std::uint64_t time, ApartDirection& direction);
 
-  /// Whether distance() is not above the limit at this time. If it is, finds a direction.
+  /// True if distance() is not above the limit at this time. If it is above, the direction is set.
   bool is_near(std::uint64_t time, ApartDirection& direction);
 
  private:

@@ -19,7 +19,7 @@ void answer_all(const BatchSettings& batch, Work* total, std::vector<Answer>& an
                     [&](std::size_t i, Work& work) { answers[i] = ask(i, work); });
 }
 
-/// One answer for each motion of B.
+/// Returns one answer for each motion of B.
 template <typename Answer, typename Ask>
 std::vector<Answer> answers_of_motions(const Mesh& mesh_b, std::span<const RigidMotion> motions_b,
                                        const BatchSettings& batch, Work* total, const Ask& ask) {
@@ -35,7 +35,7 @@ std::vector<Answer> answers_of_motions(const Mesh& mesh_b, std::span<const Rigid
   return answers;
 }
 
-/// One for each pair.
+/// Returns one answer for each pair.
 template <typename Answer, typename Ask>
 std::vector<Answer> answers_of_pairs(std::span<const RigidPair> pairs,
                                      const RigidContactSettings& settings,
@@ -76,7 +76,7 @@ std::vector<bool> is_free(const Mesh& mesh_a, const RigidMotion& motion_a, const
                           const RigidContactSettings& settings, const BatchSettings& batch,
                           Work* work) {
   return bvh::in_standard_arithmetic([&]() -> std::vector<bool> {
-    // Bits of one word are no place for many threads to write to.
+    // There is a char for each answer, because many threads cannot write to the bits of one word.
     const std::vector<char> answers = answers_of_motions<char>(
         mesh_b, motions_b, batch, work, [&](const RigidMotion& b, Work& own) {
           return static_cast<char>(is_free(mesh_a, motion_a, mesh_b, b, settings, &own));

@@ -9,7 +9,7 @@
 namespace graze {
 namespace {
 
-/// Whether there is a contact at this time of the grid, exactly.
+/// True if there is a contact at this time of the grid, exactly.
 bool is_hit(MotionQuery& query, std::uint64_t k) {
   const PlacedBodies& placed = query.pair.at(k);
   const PlacedMeshView placed_a(query.a.mesh, placed.pose_a), placed_b(query.b.mesh, placed.pose_b);

@@ -18,7 +18,7 @@ constexpr double kQuarter1 = 0x1.921fb544p+0;         // pi / 2
 constexpr double kQuarter2 = 0x1.0b4611a6p-34;
 constexpr double kQuarter3 = 0x1.3198a2e037073p-69;
 
-/// 1 / n!, the signs of the series.
+/// The coefficients of the series: 1 / n! with their signs.
 constexpr std::array<double, 8> kSine{
     -1.0 / 6,        1.0 / 120,        -1.0 / 5040,          1.0 / 362880,
     -1.0 / 39916800, 1.0 / 6227020800, -1.0 / 1307674368000, 1.0 / 355687428096000};
@@ -26,7 +26,7 @@ constexpr std::array<double, 8> kCosine{
     -1.0 / 2,       1.0 / 24,        -1.0 / 720,         1.0 / 40320,
     -1.0 / 3628800, 1.0 / 479001600, -1.0 / 87178291200, 1.0 / 20922789888000};
 
-/// x (c_0 + x (c_1 + ...)).
+/// Returns x (c_0 + x (c_1 + ...)).
 double series(const std::array<double, 8>& c, double x) {
   double sum = c[7];
   for (int i = 6; i >= 0; --i)
@@ -37,7 +37,7 @@ double series(const std::array<double, 8>& c, double x) {
 }  // namespace
 
 TurnValues turn_values(double angle) {
-  // Adding it rounds to an integer, for which no library is asked.
+  // Adding this rounds to an integer, for which no library is asked.
   constexpr double kIntegers = 0x1.8p52;
   const double k = (angle * kPerQuarter + kIntegers) - kIntegers;
   const double r = ((angle - k * kQuarter1) - k * kQuarter2) - k * kQuarter3;

@@ -29,7 +29,8 @@ class TimeGrid {
   explicit TimeGrid(std::uint32_t depth)
       : depth_(depth), step_(1 / static_cast<double>(std::uint64_t{1} << depth)) {}
 
-  /// The coarsest in whose steps nothing moves further than `most`, of what goes so far in all.
+  /// Returns the coarsest grid in whose steps nothing moves further than `most`, if it goes as far
+  /// as `displacement` in all.
   static TimeGrid for_steps(double displacement, double most) {
     std::uint32_t depth = 0;
     for (double step = displacement; step > most; step /= 2)

@@ -25,7 +25,7 @@ Sign compare(const PlaneTriple& s, const PlaneTriple& t, Coordinate of) {
   return (s.*of * t.w - t.*of * s.w).sign();
 }
 
-/// Or is a point.
+/// True if the section lies along u, or is a point.
 bool is_along_u(const PlaneSection& section) {
   return section.line.u.is_zero();
 }
@@ -43,7 +43,8 @@ Integer height_above(const PlaneTriple& line, const PlaneTriple& spot) {
   return line.u * spot.u + line.v * spot.v + line.w * spot.w;
 }
 
-/// Where height is 0 between two points whose heights have opposite signs, or one of them is 0.
+/// Returns where height is 0 between two points whose heights have opposite signs, or one of them
+/// is 0.
 PlaneTriple spot_between(const PlaneTriple& s, const Integer& height_s, const PlaneTriple& t,
                          const Integer& height_t) {
   PlaneTriple spot{s.u * height_t - t.u * height_s, s.v * height_t - t.v * height_s,
@@ -101,7 +102,7 @@ PlaneTriple FaceCells::spot_of(const Point& point, const Integer& weight) const 
   return {point[(axis_ + 1) % 3], point[(axis_ + 2) % 3], weight};
 }
 
-/// Above the plane of the face, times a positive number.
+/// Returns the height above the plane of the face, times a positive number.
 Integer FaceCells::height_of(const Point& point) const {
   Integer sum;
   for (std::size_t k = 0; k < 3; ++k)
@@ -109,7 +110,7 @@ Integer FaceCells::height_of(const Point& point) const {
   return sum;
 }
 
-/// The edges of what lies in the plane; else one section, or none.
+/// Adds the sections of a triangle: its edges if it lies in the plane, else one section, or none.
 void FaceCells::add_sections_of(const Triangle& other) {
   const auto add = [&](const PlaneTriple& from, const PlaneTriple& to) {
     sections_.push_back({from, to, line_through(from, to)});
@@ -146,7 +147,7 @@ bool FaceCells::is_in_face(const PlaneTriple& spot, bool are_edges_in) const {
   return true;
 }
 
-/// Of a section that is not along u its ends, and where others meet it, by v.
+/// Returns for a section that is not along u its ends, and where others meet it, by v.
 std::vector<PlaneTriple> FaceCells::cuts_of(const PlaneSection& section) const {
   const auto is_before = [](const PlaneTriple& s, const PlaneTriple& t) {
     return compare(s, t, &PlaneTriple::v) == Sign::Negative;
@@ -184,7 +185,7 @@ bool FaceCells::any(const Visit& visit) const {
   return false;
 }
 
-/// The first point beyond a spot at which a section meets the line through it along u.
+/// Returns the first point beyond a spot at which a section meets the line through it along u.
 std::optional<PlaneTriple> FaceCells::next_along_u(const PlaneTriple& spot) const {
   std::optional<PlaneTriple> next;
   const auto meet = [&](const PlaneTriple& at) {
@@ -197,7 +198,7 @@ std::optional<PlaneTriple> FaceCells::next_along_u(const PlaneTriple& spot) cons
   return next;
 }
 
-/// The third coordinate from the plane.
+/// Returns a spot in space: the third coordinate follows from the plane.
 narrowphase::RationalPoint FaceCells::in_space(const PlaneTriple& spot) const {
   const std::size_t x = (axis_ + 1) % 3, y = (axis_ + 2) % 3;
   const auto from_corner = [&](const Integer& at, std::size_t k) {

@@ -1,6 +1,6 @@
 #pragma once
 
-// Private to engine/mesh.
+// This is private to engine/mesh.
 
 #include <graze/narrowphase/ray/rational_sample.h>
 
@@ -13,13 +13,14 @@
 
 namespace graze {
 
-/// Homogeneous coordinates in a plane that is projected along an axis: of a point, (u, v) / w with
-/// w > 0, or of a line, which holds the points whose scalar product with it is 0.
+/// Homogeneous coordinates in a plane that is projected along an axis: those of a point, (u, v) / w
+/// with w > 0, or of a line, which holds the points whose scalar product with it is 0.
 struct PlaneTriple {
   narrowphase::GrowingInteger u, v, w;
 };
 
-/// Where a triangle meets a plane. If that is in one point, both ends are, and the line is zero.
+/// The section in which a triangle meets a plane. If that is one point, both ends are, and the line
+/// is zero.
 struct PlaneSection {
   PlaneTriple from, to;
   PlaneTriple line;
@@ -32,12 +33,12 @@ class FaceCells {
  public:
   using Visit = std::function<bool(const narrowphase::RationalPoint&)>;
 
-  /// Triangles without area divide nothing.
+  /// Divides `face` by the others. Triangles without area divide nothing.
   FaceCells(const Triangle& face, std::span<const Triangle> others);
 
   /// Calls `visit(point)` for points inside the face, one at least of each cell, until it returns
-  /// true; false if it never does. In integers: for n triangles O(n^2), and O(n) more for each
-  /// piece of a section between two others.
+  /// true. Returns false if it never does. It computes in integers, and takes O(n^2) for n
+  /// triangles, and O(n) more for each piece of a section between two others.
   bool any(const Visit& visit) const;
 
  private:
@@ -55,7 +56,7 @@ class FaceCells {
   int unit_ = 0;  ///< coordinates are counted in 2^unit
   std::array<Point, 3> corners_;
   Point normal_;
-  std::size_t axis_ = 0;  ///< of the projection, in which the face has area
+  std::size_t axis_ = 0;  ///< the axis of the projection, in which the face has area
   std::vector<PlaneSection> sections_;
 };
 

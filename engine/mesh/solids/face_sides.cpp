@@ -28,8 +28,8 @@ std::optional<std::uint32_t> FaceSides::intruder(std::uint32_t index) {
   return answer;
 }
 
-// As a mesh of its own, whose box lies along it: an axis-aligned one around a long slanted triangle
-// meets most of a mesh of such.
+// The triangle is taken as a mesh of its own, whose box lies along it: an axis-aligned one around a
+// long slanted triangle meets most of a mesh of such.
 std::vector<std::uint32_t> FaceSides::meeting(std::uint32_t index, const FaceSides& of) const {
   const Triangle own = placed_.mesh.triangle(index);
   const Mesh alone(std::vector{own.a, own.b, own.c}, std::vector<TriangleIndices>{{0, 1, 2}});

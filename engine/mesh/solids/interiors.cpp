@@ -43,7 +43,7 @@ namespace {
 
 using narrowphase::Sign;
 
-/// One of the two meshes in the question.
+/// One of the two meshes in the question, as a solid.
 struct Solid {
   Solid(const PlacedMeshView& placed, Work& work) : sides(placed, work) {}
 
@@ -72,7 +72,8 @@ class InteriorQuery {
   }
 
  private:
-  /// Where triangles cross, each has corners on both sides of the other.
+  /// True if triangles are found that cross and are clear: each has corners on both sides of the
+  /// other.
   bool do_some_cross() {
     const TrianglePairs crossing = find_triangle_pairs(
         a_.sides.placed(), b_.sides.placed(), {.limit = 1, .touch = Touch::Exclude}, &work_);
@@ -82,14 +83,14 @@ class InteriorQuery {
            !b_.sides.intruder(b);
   }
 
-  /// Whether nothing of its own mesh meets the triangle's inside; else it is left open.
+  /// True if nothing of its own mesh meets the triangle's inside; otherwise it is left open.
   static bool is_clear(Solid& solid, std::uint32_t index) {
     if (!solid.sides.intruder(index)) return true;
     solid.open.insert(index);
     return false;
   }
 
-  /// Rules 1 and 2 of triangles that touch and have area.
+  /// Decides rules 1 and 2 for triangles that touch and have area.
   bool does_contact_tell(const TrianglePair& pair) {
     const Triangle a = a_.sides.triangle(pair.a), b = b_.sides.triangle(pair.b);
     if (does_enter(a_, pair.a, a, b_, pair.b, b)) return true;
@@ -102,8 +103,8 @@ class InteriorQuery {
     return narrowphase::turn_alike(a, b) == (side_a == side_b);
   }
 
-  /// Rule 1: whether the other triangle reaches the inside of this one from its inner side. If it
-  /// is not clear, it may part what is beside this one all the same, and is left open.
+  /// Decides rule 1: whether the other triangle reaches the inside of this one from its inner side.
+  /// If it is not clear, it may part what is beside this one all the same, and is left open.
   static bool does_enter(Solid& solid, std::uint32_t index, const Triangle& triangle, Solid& others,
                          std::uint32_t other_index, const Triangle& other) {
     const narrowphase::PlaneSides sides = sides_of(triangle, other);
@@ -116,7 +117,7 @@ class InteriorQuery {
     return narrowphase::sides_of_plane(narrowphase::corners_of(plane), narrowphase::corners_of(of));
   }
 
-  /// Rule 3 of what touches and of what stands for the rest.
+  /// Decides rule 3 for what touches and for what stands for the rest.
   bool do_samples_tell(Solid& solid, const Solid& other, Representatives& representatives) {
     const auto has_area = [&](std::uint32_t index) { return solid.sides.has_area(index); };
     for (const std::uint32_t index : representatives.touched()) {
@@ -132,9 +133,9 @@ class InteriorQuery {
     return false;
   }
 
-  /// What lies within the other mesh, and yet has no side beside its sample on which its own mesh
-  /// lies, may have one elsewhere. Where another triangle meets its inside, that is: whether one of
-  /// the other mesh does has been asked.
+  /// Decides rule 3 for one triangle. A triangle that lies within the other mesh, and yet has no
+  /// side beside its sample on which its own mesh lies, may have one elsewhere, if another triangle
+  /// of its mesh meets its inside. Whether one of the other mesh does has been asked.
   bool does_sample_tell(Solid& solid, std::uint32_t index, const Solid& other) {
     if (is_sample_shared(solid, index, other)) return true;
     if (is_enclosed(other, solid.sides.triangle(index), Sign::Positive)) is_clear(solid, index);
@@ -152,7 +153,7 @@ class InteriorQuery {
     return is_sample_enclosed(solid.sides.placed(), {triangle, side}, work_);
   }
 
-  /// Beside one point of each cell of what is open.
+  /// Decides for open triangles beside one point of each of their cells.
   bool do_cells_tell(const Solid& solid, const Solid& other) const {
     for (const std::uint32_t index : solid.open) {
       const Triangle triangle = solid.sides.triangle(index);

@@ -1,6 +1,6 @@
 #pragma once
 
-// Private to engine/mesh.
+// This is private to engine/mesh.
 
 #include <graze/engine/mesh/mesh.h>
 
@@ -21,15 +21,15 @@ class Representatives {
 
   void add_touched(std::uint32_t index) { touched_.insert(index); }
 
-  /// Ascending.
+  /// Returns the triangles that touch something, ascending.
   const std::set<std::uint32_t>& touched() const { return touched_; }
 
-  /// One triangle at least of each set of connected untouched ones that has one for which
-  /// `is_wanted(index)`, ascending. Those that are not wanted connect. To be called once, when all
-  /// touched ones are known.
+  /// Returns one triangle at least of each set of connected untouched ones that has one for which
+  /// `is_wanted(index)`, ascending. Those that are not wanted connect. It is to be called once,
+  /// when all touched ones are known.
   std::set<std::uint32_t> untouched(const std::function<bool(std::uint32_t)>& is_wanted);
 
-  /// All wanted ones that an untouched triangle stands for, and itself; ascending.
+  /// Returns all wanted triangles that an untouched one stands for, itself among them; ascending.
   std::set<std::uint32_t> connected(std::uint32_t index,
                                     const std::function<bool(std::uint32_t)>& is_wanted) const;
 

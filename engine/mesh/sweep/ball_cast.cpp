@@ -27,13 +27,15 @@ struct MetTriangle {
   Triangle triangle;
   double low = 0;
   double high = 1;
-  std::optional<Eigen::Vector3d> normal = {};  ///< roughly, from the triangle to the centre
-  std::optional<BallMeeting> meeting = {};     ///< once it was asked for
+  std::optional<Eigen::Vector3d> normal = {};  ///< roughly the direction from the triangle to the
+                                               ///< centre
+  std::optional<BallMeeting> meeting = {};     ///< the meeting, once it was asked for
 };
 
-/// What goes, for VolumeWalk, and what it has met first. Brackets of times order most triangles;
-/// those whose brackets overlap wait side by side, as all around an edge or a corner do that may
-/// not be met in the end, and which of them is first is decided exactly when the walk is over.
+/// The ball that goes, for VolumeWalk, and what it has met first. Brackets of times order most
+/// triangles; those whose brackets overlap wait side by side, as all around an edge or a corner do
+/// that may not be met in the end, and which of them is first is decided exactly when the walk is
+/// over.
 class BallMover {
  public:
   BallMover(const Sphere& ball, const Eigen::Vector3d& displacement, StartContact start,
@@ -109,7 +111,7 @@ class BallMover {
     return true;
   }
 
-  /// False if there is no meeting up to `high`.
+  /// Finds the meeting of a triangle. Returns false if there is none up to `high`.
   bool find_meeting(MetTriangle& met) {
     if (met.meeting) return true;
     ++work_.exact_tests;
@@ -121,7 +123,8 @@ class BallMover {
     return true;
   }
 
-  /// True if what is met later than this one is of no more interest: if its `high` is the least.
+  /// Takes a triangle in. Returns true if its `high` is the least, so that what is met later is of
+  /// no more interest.
   bool take(const MetTriangle& met) {
     if (count_ > 0 && met.low > limit()) return false;
     const auto is_later = [&](const MetTriangle& other) { return other.low > met.high; };
@@ -152,7 +155,7 @@ class BallMover {
     return order == Sign::Negative || (order == Sign::Zero && met.index < than.index);
   }
 
-  /// Of a meeting that is known.
+  /// Returns the place of a meeting that is known.
   narrowphase::BallPlace place_of_meeting(const MetTriangle& met) const {
     return place_of({narrowphase::corners_of(met.triangle), *met.meeting}, moving_);
   }

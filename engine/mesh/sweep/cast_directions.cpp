@@ -18,11 +18,11 @@ using narrowphase::TwoLanes;
 
 constexpr int kSlabs = KDop<18>::kSlabs;
 
-// What lies beyond margins across d, by whatever, times that is beyond any limit; or so little
-// beyond that it need not be told.
+// If something lies beyond margins across d, by whatever, that times this is beyond any limit; or
+// it is so little beyond that it need not be told.
 constexpr double kSurelyLate = 0x1p1000;
 
-// Of two unit vectors: 4 degrees.
+// The cosine of 4 degrees: unit vectors with a larger product are nearly alike.
 constexpr double kNearlyAlike = 0.9976;
 
 using bvh::dot;
@@ -39,7 +39,7 @@ Vector sum(const Vector& v, const Vector& w, double factor) {
   return {{v.at[0] + factor * w.at[0], v.at[1] + factor * w.at[1], v.at[2] + factor * w.at[2]}};
 }
 
-/// With length 1, or what it was if that cannot be.
+/// Returns the vector with length 1, zero if that cannot be.
 Vector unit(const Vector& v) {
   const double largest =
       std::max(std::abs(v.at[0]), std::max(std::abs(v.at[1]), std::abs(v.at[2])));
@@ -64,7 +64,7 @@ CastDirections::CastDirections(const FramedMesh& a, const Sphere& b, const Sweep
 
 CastDirections::CastDirections(const CastPlanes& planes, const double (&direction)[3])
     : planes_(planes) {
-  // Across the component of d that is largest there is an axis that is not along d.
+  // The coordinate axis along which d has its smallest component is not along d.
   int least = 0;
   for (int k = 1; k < 3; ++k) {
     if (std::abs(direction[k]) < std::abs(direction[least])) least = k;
@@ -74,7 +74,7 @@ CastDirections::CastDirections(const CastPlanes& planes, const double (&directio
   Vector across = unit(cross(direction, axis));
   Vector other = unit(cross(direction, across.at));
   if (direction[(least + 1) % 3] == 0 && direction[(least + 2) % 3] == 0) {
-    // Nothing moves: all is across.
+    // Nothing moves: every vector is across.
     across = {{1, 0, 0}};
     other = {{0, 1, 0}};
   }
@@ -106,8 +106,8 @@ void CastDirections::set(int at, const double (&n)[3]) {
   }
   const bool is_last = pair == kPairs - 1, is_across = limit.most_low < kInfinity;
   shifts_.high[pair][lane] = limit.between + (limit.margin - limit.least_high);
-  // Across d the motion changes nothing: what is beyond that is never met. Along it that says no
-  // more than by when.
+  // Across d the motion changes nothing: what is beyond that is never met. Along it, it only says
+  // by when.
   shifts_.low[pair][lane] = limit.between - (limit.margin + (is_across ? limit.most_low : 0));
   if (is_last) {
     down_[lane] = is_across ? kSurelyLate : limit.down;
@@ -153,9 +153,9 @@ void CastDirections::measure_points(Side side, std::span<const Eigen::Vector3d* 
   shift(side, pairs, span);
 }
 
-// Relative to its own centre. The square of n is off by 3 u of itself, for those of what says
-// something do not underflow in sum; the root by half of that and one more, and so are the two
-// products. What underflows of a radius is far below the margin.
+// The extent is relative to the ball's own centre. The square of n is off by 3 u of itself, for
+// those of what says something do not underflow in sum; the root by half of that and one more, and
+// so are the two products. What underflows of a radius is far below the margin.
 CastDirections::Span CastDirections::of_ball(const Sphere& ball) const {
   constexpr double kBallGrowth = 1 + 8 * kUnitRoundoff;
   const double radius = ball.radius * planes_.per_metre() * kBallGrowth;

@@ -15,33 +15,34 @@ namespace graze::contacts {
 /// Bounds from below how far a box or a ball, B, goes along d until it meets a mesh, A, by six
 /// vectors for all nodes and triangles: four across d, which tell whether things are in each
 /// other's way at all, d itself and the normal of the best contact so far, around which both
-/// surfaces are thin. What something is along them is found once; to compare two takes a dozen
-/// operations, two vectors at a time.
+/// surfaces are thin. The spans of something along them are found once; to compare two takes a
+/// dozen operations, two vectors at a time.
 class CastDirections {
  public:
   using Side = CastPlanes::Side;
   static constexpr int kPairs = 3;
 
-  /// Which pairs of vectors: all, or the one with the normal, which alone take_normal() changes.
+  /// The pairs of vectors that are meant: all, or the one with the normal, which alone
+  /// take_normal() changes.
   enum class Pairs { All, WithNormal };
 
-  /// Where something begins and ends along each vector, relative to the centre of the tree of B;
-  /// of A with all margins.
+  /// The intervals of something along each vector, from where it begins to where it ends, relative
+  /// to the centre of the tree of B; those of A have all margins.
   struct Span {
     narrowphase::TwoLanes low[kPairs];
     narrowphase::TwoLanes high[kPairs];
   };
 
-  /// Of a mesh and a box in the frame of the mesh, and a direction whose largest component is from
-  /// 1/2 to 1 in size, or none.
+  /// Chooses directions for a mesh and a box in the frame of the mesh, and a direction whose
+  /// largest component is from 1/2 to 1 in size, or none.
   CastDirections(const FramedMesh& a, const Aabb& b, const SweepUnits& units,
                  const double (&direction)[3]);
 
-  /// Of a mesh and a ball.
+  /// Chooses directions for a mesh and a ball.
   CastDirections(const FramedMesh& a, const Sphere& b, const SweepUnits& units,
                  const double (&direction)[3]);
 
-  /// What a k-DOP of A's tree, points or a triangle are along these vectors.
+  /// Measure the spans of a k-DOP of A's tree, of points and of a triangle along these vectors.
   void measure_kdop(const bvh::FloatKDop& kdop, Pairs pairs, Span& span) const;
   void measure_points(Side side, std::span<const Eigen::Vector3d* const> points, Pairs pairs,
                       Span& span) const;
@@ -59,23 +60,23 @@ class CastDirections {
     measure_triangle(side, placed, Pairs::All, span);
     return span;
   }
-  /// Of the ball that this was made for.
+  /// Returns the span of the ball that this was made for.
   Span of_ball(const Sphere& ball) const;
-  /// Of two things of one mesh together.
+  /// Returns the span of two things of one mesh together.
   static Span around(const Span& s, const Span& t);
 
-  /// No more than the least s >= 0 at which something in `a` meets something in `b` moved by s d;
-  /// infinite if there is none, or none up to `limit`.
+  /// Returns no more than the least s >= 0 at which something in `a` meets something in `b` moved
+  /// by s d. It is infinite if there is none, or none up to `limit`.
   double first_contact(const Span& a, const Span& b, double limit) const;
 
-  /// Takes another normal, in metres or whatever; of spans that were made before, the pair with the
-  /// normal serves no more. False, and nothing happens, if it is nearly the one that there is.
+  /// Takes another normal, in metres or whatever; in spans that were made before, the pair with the
+  /// normal serves no more. Returns false, and does nothing, if it is nearly the one that there is.
   bool take_normal(const double (&normal)[3]);
 
  private:
   using TwoLanes = narrowphase::TwoLanes;
 
-  /// What two vectors make of three coordinates.
+  /// Two vectors in each row, for the products with three coordinates.
   struct Rows {
     narrowphase::TwoLanes x[kPairs];
     narrowphase::TwoLanes y[kPairs];
@@ -83,12 +84,12 @@ class CastDirections {
   };
   /// A vector in the frame of a tree, made of the normals of three slabs of a k-DOP.
   struct Slabs {
-    int low[3];  ///< where the bounds that it begins at are: those from below, then from above
+    int low[3];  ///< the places of the bounds that it begins at: those from below, then from above
     int high[3];
     double weight[3];
   };
-  /// What is added to where things of A begin and end, so that they are comparable with those of B
-  /// and lie beside each other only if they never meet.
+  /// The numbers that are added to where things of A begin and end, so that they are comparable
+  /// with those of B and lie beside each other only if they never meet.
   struct Shifts {
     TwoLanes low[kPairs];
     TwoLanes high[kPairs];
@@ -107,10 +108,10 @@ class CastDirections {
 
   CastPlanes planes_;
   double normal_[3] = {0, 0, 0};
-  Rows vectors_;             ///< of coordinates in the units of the sweep
-  Slabs slabs_[2 * kPairs];  ///< of local coordinates of A's tree
+  Rows vectors_;             ///< the vectors for coordinates in the units of the sweep
+  Slabs slabs_[2 * kPairs];  ///< the vectors for local coordinates of A's tree
   Shifts shifts_;
-  TwoLanes down_;  ///< what the low ends of the last pair are multiplied by to bound s from below
+  TwoLanes down_;  ///< the factors of the low ends of the last pair in the bound of s from below
 };
 
 inline double CastDirections::first_contact(const Span& a, const Span& b, double limit) const {

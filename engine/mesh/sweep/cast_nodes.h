@@ -11,8 +11,8 @@
 
 namespace graze::contacts {
 
-/// What the nodes and triangles of a mesh are along the directions of a cast. What was asked last
-/// is kept, without any allocation: what only the normal changes is found anew alone.
+/// Measures the nodes and triangles of a mesh along the directions of a cast. What was asked last
+/// is kept, without any allocation; where only the normal changes, only its pair is measured anew.
 class CastNodes {
  public:
   using Span = CastDirections::Span;
@@ -35,16 +35,17 @@ class CastNodes {
     leaf_at_.fill(kNone);
   }
 
-  /// Around the k-DOP of a node, or the triangles of a leaf; until the next call.
+  /// Returns the span of the k-DOP of a node, or of the triangles of a leaf. It is valid until the
+  /// next call.
   const Span& span_of(std::uint32_t node) {
     const std::uint32_t at = node % kNodes;
     const Kept& kept = kept_[at];
     return kept.node == node && kept.normal == normal_ ? span_[at] : measured(node);
   }
-  /// Of a leaf; until the next call.
+  /// Returns the triangles of a leaf. They are valid until the next call.
   const Leaf& leaf(std::uint32_t node);
 
-  /// To be called when the directions have taken another normal.
+  /// Has to be called when the directions have taken another normal.
   void take_normal() { ++normal_; }
 
  private:
@@ -54,7 +55,7 @@ class CastNodes {
 
   struct Kept {
     std::uint32_t node;
-    std::uint32_t normal;  ///< which of the normals it was measured along
+    std::uint32_t normal;  ///< the number of the normal that it was measured along
   };
   const Span& measured(std::uint32_t node);
 
@@ -62,7 +63,7 @@ class CastNodes {
   const bvh::Tree& tree_;
   std::span<const bvh::FloatKDop> kdops_;
   const CastDirections& directions_;
-  std::uint32_t normal_ = 0;  ///< how many there were
+  std::uint32_t normal_ = 0;  ///< how many normals there were before this one
   std::array<std::uint32_t, kLeaves> leaf_at_;
   std::array<std::uint32_t, kLeaves> leaf_normal_;
   std::array<Kept, kNodes> kept_;  ///< apart from the spans, so that little has to be cleared

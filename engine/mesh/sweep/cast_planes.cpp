@@ -48,7 +48,7 @@ CastPlanes::Frame::Frame(const FramedMesh& mesh, const SweepUnits& units)
   unit = frame.unit() * units.per_metre;
 }
 
-/// Its corners are all that is asked of it.
+/// Makes the frame of a box, of which only the corners are asked for.
 CastPlanes::Frame::Frame(const Aabb& box, const SweepUnits& units)
     : axis{}, unit(0), margin(kMargin) {
   for (int k = 0; k < 3; ++k) {
@@ -70,7 +70,8 @@ CastPlanes::CastPlanes(const Frame& a, const Frame& b, const SweepUnits& units,
   std::copy(direction, direction + 3, direction_);
 }
 
-/// A vector of size 0 says nothing: nothing is beside it, and all is from 0 on.
+/// Returns the limit of a vector. One of size 0 says nothing: nothing is beside it, and all is from
+/// 0 on.
 CastPlanes::Limit CastPlanes::limit_of(const double (&n)[3]) const {
   const double size = std::abs(n[0]) + std::abs(n[1]) + std::abs(n[2]);
   if (!says_something(size)) return {0, 0, 0, 0, kInfinity, 0};
@@ -104,7 +105,8 @@ void CastPlanes::measure_along(Side side, const double (&n)[3], const Triangle& 
   high = std::max(value[0], std::max(value[1], value[2]));
 }
 
-/// The normal is whatever rounding makes of it: the bounds hold for any vector.
+/// Returns the plane of a triangle. Its normal is whatever rounding makes of it: the bounds hold
+/// for any vector.
 CastPlanes::Plane CastPlanes::plane_of(Side side, const Triangle& placed) const {
   double edge[2][3];
   for (int k = 0; k < 3; ++k) {

@@ -28,32 +28,33 @@ class CastPlanes {
     double margin;
   };
 
-  /// What one vector tells of the motion.
+  /// The limits that one vector sets to the motion.
   struct Limit {
     double sense;       ///< the vector is taken times this: 1, -1, or 0 if it says nothing
     double between;     ///< n . (the centre of A - the centre of B)
-    double margin;      ///< what rounding may cost, on either side
-    double least_high;  ///< two spans whose difference ends below it never meet
-    double most_low;    ///< two spans whose difference begins above it never meet
-    double down;        ///< what `low` is multiplied by to bound s from below
+    double margin;      ///< the cost of rounding, at most, on either side
+    double least_high;  ///< if the difference of two spans ends below it, they never meet
+    double most_low;    ///< if the difference of two spans begins above it, they never meet
+    double down;        ///< the factor of `low` in the bound of s from below
   };
 
   /// A vector for one triangle alone: its normal, along which it is flat.
   struct Plane {
-    double n[3];  ///< times `limit.sense`
-    double low;   ///< of n . (its corners - the centre of its mesh's tree)
+    double n[3];  ///< the normal times `limit.sense`
+    double low;   ///< the least n . (its corners - the centre of its mesh's tree)
     double high;
     Limit limit;
   };
 
-  /// Of a direction whose largest component is from 1/2 to 1 in size, or of none.
+  /// Takes a direction whose largest component is from 1/2 to 1 in size, or none.
   CastPlanes(const Frame& a, const Frame& b, const SweepUnits& units, const double (&direction)[3]);
 
   Limit limit_of(const double (&n)[3]) const;
 
   Plane plane_of(Side side, const Triangle& placed) const;
-  /// No more than the least s >= 0 at which the triangle with this plane and one of the other mesh
-  /// meet, of which B is moved by s d; infinite if there is none, or none up to `limit`.
+  /// Returns no more than the least s >= 0 at which the triangle with this plane and one of the
+  /// other mesh meet, of which B is moved by s d. It is infinite if there is none, or none up to
+  /// `limit`.
   double first_contact(Side side, const Plane& plane, const Triangle& other, double limit) const;
 
   const Frame& frame(Side side) const { return side == Side::A ? a_ : b_; }

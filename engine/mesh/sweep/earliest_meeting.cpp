@@ -17,7 +17,8 @@ std::uint32_t place(int at) {
   return static_cast<std::uint32_t>(at);
 }
 
-/// Corners that meet an edge, or a corner, are named as meeting the triangle.
+/// Names the features that meet. Corners that meet an edge, or a corner, are named as meeting the
+/// triangle.
 void name_features(const Meeting& meeting, MeshCast& cast) {
   switch (meeting.kind) {
     case Meeting::Kind::VertexFace:

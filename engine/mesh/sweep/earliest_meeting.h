@@ -7,34 +7,35 @@
 
 namespace graze {
 
-/// The earliest meeting of the pairs of triangles that it is told of. Times are compared exactly.
+/// Finds the earliest meeting of the pairs of triangles that it is told of. Times are compared
+/// exactly.
 class EarliestMeeting {
  public:
   EarliestMeeting(const double* displacement, StartContact start)
       : displacement_(displacement), start_(start) {}
 
-  /// Of triangles that meet at t = 0.
+  /// Takes in triangles that meet at t = 0.
   void ask_at_start(TrianglePair pair, const Triangle& a, const Triangle& b);
-  /// Of triangles that are apart at t = 0. True if they are the earliest so far.
+  /// Takes in triangles that are apart at t = 0. Returns true if they are the earliest so far.
   bool ask_later(TrianglePair pair, const Triangle& a, const Triangle& b);
 
   bool is_at_start() const { return found_ && !found_->first; }
-  /// No less than the earliest time that has been found, or 1.
+  /// Returns no less than the earliest time that has been found, or 1.
   double limit() const { return limit_; }
 
-  /// Roughly across what meets first so far; zero if that is at t = 0.
+  /// Computes a normal that is roughly across what meets first so far; zero if that is at t = 0.
   void rough_normal(double (&normal)[3]) const;
 
-  /// At t = 0 the point is left to others.
+  /// Returns the earliest meeting. At t = 0 its point is left to others.
   std::optional<MeshCast> result() const;
 
  private:
-  /// What was found, with the triangles that it is about.
+  /// The meeting that was found, with the triangles that it is about.
   struct Found {
     TrianglePair pair;
     Triangle a;
     Triangle b;
-    std::optional<narrowphase::TimedMeeting> first;  ///< none if it is at t = 0
+    std::optional<narrowphase::TimedMeeting> first;  ///< none if it meets at t = 0
   };
   narrowphase::TranslatedPair translated(const Triangle& a, const Triangle& b) const {
     return {a, b, displacement_};

@@ -9,7 +9,7 @@ namespace graze::contacts {
 /// A placed mesh as a cast sees it: in space, or in the frame of an oriented box (law 3).
 struct FramedMesh {
   const PlacedMeshView& placed;
-  const Pose* frame = nullptr;  ///< of the box, if there is one
+  const Pose* frame = nullptr;  ///< the frame of the box, if there is one
 
   Eigen::Vector3d point(const Eigen::Vector3d& own) const {
     const Eigen::Vector3d at = narrowphase::place(placed.pose, own);

@@ -20,8 +20,8 @@ class OpenedTree {
   struct Node {
     const bvh::Node* node;
     double size;
-    std::uint32_t children;   // the first of two; 0 while they are not asked for
-    std::uint32_t triangles;  // the first one of a leaf's, and 1; 0 while they are not asked for
+    std::uint32_t children;   ///< the first of two; 0 while they are not asked for
+    std::uint32_t triangles;  ///< the first one of a leaf's, and 1; 0 while they are not asked for
     SweptNodes::Extent extent;
   };
   enum class Side { A, B };
@@ -39,7 +39,7 @@ class OpenedTree {
 
   const Node& operator[](std::uint32_t at) const { return nodes_[at]; }
 
-  /// Both children stand side by side; references to nodes end.
+  /// Returns the first of both children, which stand side by side. References to nodes end.
   std::uint32_t children(std::uint32_t at) {
     if (nodes_[at].children == 0) {
       nodes_[at].children = static_cast<std::uint32_t>(nodes_.size());
@@ -79,9 +79,9 @@ class OpenedTree {
   std::vector<SweptTriangle> triangles_;
 };
 
-/// The pair of nodes that can meet latest is opened first. So no pair is opened whose bound is
-/// below the answer: no order opens fewer. Bounds beyond the translation that is enough are cut to
-/// it; of equals the one that was found last goes first, to come to the triangles soon.
+/// Opens the pair of nodes first that can meet latest. So no pair is opened whose bound is below
+/// the answer: no order opens fewer. Bounds beyond the translation that is enough are cut to it; of
+/// equals the one that was found last goes first, to come to the triangles soon.
 class LatestFirst {
  public:
   LatestFirst(OpenedTree& a, OpenedTree& b, const SweptNodes& swept, double enough, Work& work)
@@ -90,7 +90,7 @@ class LatestFirst {
     note(0, 0);
   }
 
-  /// `sweep_leaves(a, b)` raises `latest()`.
+  /// Runs until the answer is found; `sweep_leaves(a, b)` raises `latest()`.
   template <typename SweepLeaves>
   void run(const SweepLeaves& sweep_leaves) {
     while (!open_.empty() && latest_ < enough_) {
@@ -118,10 +118,12 @@ class LatestFirst {
   void raise_latest(double translation) { latest_ = std::max(latest_, translation); }
 
  private:
-  /// Two nodes, and no less than how far B can go until nothing in them meets any more.
+  /// Two nodes, and a bound that is no less than how far B can go until nothing in them meets any
+  /// more.
   struct OpenPair {
     double bound;
-    std::uint32_t number;  // in the order of finding: total, so that no heap's own ways show
+    std::uint32_t number;  ///< the order of finding, which is total, so that no heap's own ways
+                           ///< show
     std::uint32_t a;
     std::uint32_t b;
   };

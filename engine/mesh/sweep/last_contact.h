@@ -5,12 +5,13 @@
 
 namespace graze::contacts {
 
-/// The direction with length 1, to 2 ulp; exactly what it was, for axes. Throws InputError for one
-/// that is zero or not finite.
+/// Returns the direction with length 1, to 2 ulp; exactly what it was, for axes. Throws InputError
+/// for one that is zero or not finite.
 Eigen::Vector3d unit_direction(const Eigen::Vector3d& direction);
 
-/// The largest translation of B along the unit vector, metres, at which the meshes can still meet;
-/// 0 if there is none. If it is `limit` or more, any value that is. Both must be placed soundly.
+/// Returns the largest translation of B along the unit vector, metres, at which the meshes can
+/// still meet; 0 if there is none. If it is `limit` or more, any value that is may be returned.
+/// Both must be placed soundly.
 double last_contact(const PlacedMeshView& a, const PlacedMeshView& b,
                     const Eigen::Vector3d& direction, double limit, Work& work);
 

@@ -20,7 +20,7 @@
 namespace graze {
 namespace {
 
-/// What meets before anything moves.
+/// Finds what meets before anything moves.
 void ask_start(const WideQuery& query, EarliestMeeting& earliest, Work& work) {
   if (query.are_far_apart(work)) return;
   bvh::WidePairWalk walk = query.walk();
@@ -32,9 +32,9 @@ void ask_start(const WideQuery& query, EarliestMeeting& earliest, Work& work) {
   add_counts(walk.counts(), work);
 }
 
-/// What meets later, of what is apart at t = 0: where a policy leaves contacts out, some of it may
-/// not be. What is found bounds what is still looked at; of pairs that may meet as soon all are, as
-/// times decide exactly and then indices.
+/// Finds what meets later, of what is apart at t = 0; where a policy leaves contacts out, some of
+/// it may not be apart. What is found bounds what is still looked at; all pairs that may meet as
+/// soon are looked at, as times decide exactly and then indices.
 class CastWalk {
  public:
   CastWalk(const WideQuery& query, const contacts::SweepUnits& units, const SweepLine& line,
@@ -72,13 +72,14 @@ class CastWalk {
   static constexpr std::uint32_t kNone = 0xffffffffu;
   static constexpr std::uint32_t kKept = 32;
 
-  /// What the walk's bounds are compared with: where no double can say it, all is near.
+  /// Returns the limit with which the walk's bounds are compared: where no double can say it, all
+  /// is near.
   double walk_limit() const {
     const double limit = limit_ * per_unit_;
     return limit >= 0 ? limit : kNever;
   }
 
-  /// In the frame of A's tree, of length 1.
+  /// Takes a direction into the frame of A's tree, with length 1.
   void set_in_a(const Eigen::Vector3d& direction, double (&in_a)[3]) const {
     const Eigen::Vector3d turned = (query_.a.pose.linear().transpose() * direction).normalized();
     std::copy_n(turned.data(), 3, in_a);
@@ -103,7 +104,7 @@ class CastWalk {
     return kept;
   }
 
-  /// Whether the two triangles are the earliest so far.
+  /// Asks two triangles. Returns true if they are the earliest so far.
   bool ask(const bvh::CastPlaces& places) {
     const TrianglePair pair = query_.pair_at(places.places);
     Kept& a = kept(kept_a_, query_.triangles_a, pair.a);
@@ -116,7 +117,7 @@ class CastWalk {
     return true;
   }
 
-  /// Whether the other triangle meets the plane later than the limit, or never: that bounds their
+  /// True if the other triangle meets the plane later than the limit, or never: that bounds their
   /// meeting more closely than boxes do where surfaces face each other.
   bool is_late(Side side, Kept& own, const Triangle& other) const {
     if (!own.has_plane) own.plane = planes_.plane_of(side, own.triangle);
@@ -149,7 +150,7 @@ class CastWalk {
   contacts::CastPlanes planes_;
   Kept kept_a_[kKept];
   Kept kept_b_[kKept];
-  double direction_[3];  ///< in the frame of A's tree
+  double direction_[3];  ///< the direction in the frame of A's tree
   double per_unit_;      ///< how far B goes in the trees' common units per unit of the sweep
 };
 

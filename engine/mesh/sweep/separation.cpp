@@ -22,8 +22,9 @@ Separation separation_of(double distance, const Eigen::Vector3d& direction, cons
   return separation;
 }
 
-/// The exact test has the last word: the bound covers all rounding, but is not trusted. Steps
-/// double, so that they end even where the first vanish in the pose's translation.
+/// Lengthens the distance until the exact test, which has the last word, says that the meshes are
+/// apart: the bound covers all rounding, but is not trusted. Steps double, so that they end even
+/// where the first vanish in the pose's translation.
 Separation end_contact(const PlacedMeshView& a, const PlacedMeshView& b,
                        const Eigen::Vector3d& direction, double distance, Work& work) {
   Separation separation = separation_of(distance, direction, b.pose);
@@ -38,7 +39,7 @@ Separation end_contact(const PlacedMeshView& a, const PlacedMeshView& b,
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t kTriedContacts = 4;
 
-/// Directions, each of which is tried both ways.
+/// Returns directions, each of which is tried both ways.
 std::vector<Eigen::Vector3d> candidates(const PlacedMeshView& a, const PlacedMeshView& b,
                                         Work& work) {
   std::vector<Eigen::Vector3d> directions;

@@ -12,7 +12,8 @@ namespace {
 
 constexpr int kSmallestExponent = -1000;  // so that its inverse is a double, too
 
-/// A quarter of what bounds the absolute value of each placed coordinate: sums cannot overflow.
+/// Returns a quarter of what bounds the absolute value of each placed coordinate: so sums cannot
+/// overflow.
 double quarter_of_largest(const PlacedMeshView& placed) {
   double largest = 0;
   for (double coordinate : largest_coordinates(placed.pose, placed.mesh.bounds()))
@@ -36,8 +37,8 @@ double quarter_of_largest(const Sphere& ball) {
   return largest + 0.25 * ball.radius;
 }
 
-/// Likewise of each coordinate that is taken into a frame: the sums are in the order of law 3, and
-/// rounding is monotone.
+/// Returns the same for each coordinate that is taken into a frame: the sums are in the order of
+/// law 3, and rounding is monotone.
 double quarter_of_largest(const PlacedMeshView& placed, const Pose& frame) {
   const double* m = frame.data();  // column-major 4x4: column i is the frame's axis i
   std::array<double, 3> coordinates = largest_coordinates(placed.pose, placed.mesh.bounds());
@@ -56,16 +57,16 @@ double quarter_of_largest(const PlacedMeshView& placed, const Pose& frame) {
   return largest;
 }
 
-// Of n.d, the components of d being at most 1 in size and exact, 4 u of the size of n cover three
-// roundings.
+// The error of n.d: as the components of d are at most 1 in size and exact, 4 u of the size of n
+// cover three roundings.
 constexpr double kAlongBound = 4 * kUnitRoundoff;
 
-// What is noted as across has n.d up to 8 u, off by 4 u. While triangles meet, s |d| = |p - q| is
-// below 2 sqrt(3) < 4, so that s (n.d) is below 48 u for |d| = 1.
+// A vector that is noted as across has n.d up to 8 u, off by 4 u. While triangles meet, s |d| = |p
+// - q| is below 2 sqrt(3) < 4, so that s (n.d) is below 48 u for |d| = 1.
 constexpr double kAcrossBound = 48 * kUnitRoundoff;
 
-// The product with an inverse of positive numbers: the difference, the inverse and the product
-// round.
+// These cover the product with an inverse of positive numbers: the difference, the inverse and the
+// product round.
 constexpr double kUp = 1 + 8 * kUnitRoundoff;
 constexpr double kDown = 1 - 8 * kUnitRoundoff;
 
@@ -94,7 +95,7 @@ SweepUnits::SweepUnits(double quarter) {
 
 SweepScale::SweepScale(double along, double size) : across(-1), up(0), down(0) {
   if (along <= 2 * kAlongBound * size) {
-    // Across the motion n.(p - q) hardly changes: it must be able to be zero.
+    // If n is across the motion, n.(p - q) hardly changes: it must be able to be zero.
     across = kAcrossBound * size;
     return;
   }

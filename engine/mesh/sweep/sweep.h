@@ -16,41 +16,43 @@ namespace graze::contacts {
 
 inline constexpr double kUnitRoundoff = 0x1p-53;
 
-/// What a sweep is measured in: coordinates times `per_metre`, a power of two, are below 1 in size.
+/// The units in which a sweep is measured: coordinates times `per_metre`, a power of two, are below
+/// 1 in size.
 struct SweepUnits {
   SweepUnits(const PlacedMeshView& a, const PlacedMeshView& b);
   SweepUnits(const PlacedMeshView& a, const Aabb& b);
   SweepUnits(const PlacedMeshView& a, const Sphere& b);
-  /// In the frame of the box, too (law 3).
+  /// Bounds coordinates in the frame of the box, too (law 3).
   SweepUnits(const PlacedMeshView& a, const Obb& b);
 
   double per_metre;
-  double metres;  ///< of one unit
+  double metres;  ///< the length of one unit
 
  private:
   explicit SweepUnits(double quarter);
 };
 
-/// Products with smaller vectors could underflow; they say nothing.
+/// True if a vector is so large that products with it cannot underflow; smaller ones say nothing.
 inline bool says_something(double size_of_n) {
   return size_of_n >= 0x1p-400;
 }
 
-/// What bounds of n.(p - q) are multiplied by to bound the translation, for n.d = `along` >= 0 and
-/// `size`, the sum of the absolute components of n; no component of d is above 1 in size.
+/// The factors by which bounds of n.(p - q) are multiplied to bound the translation, for n.d =
+/// `along` >= 0 and `size`, the sum of the absolute components of n; no component of d is above 1
+/// in size.
 struct SweepScale {
   SweepScale(double along, double size);
 
   double across;  ///< not negative if n is hardly along the motion: n.(p - q) must be 0 to this,
                   ///< for |d| = 1
-  double up;      ///< else: for an upper bound that is not negative
-  double down;    ///< and for a lower one that is positive
+  double up;      ///< else the factor of an upper bound that is not negative
+  double down;    ///< and that of a lower bound that is positive
 };
 
 /// The translations, 0 and more, that some vectors n leave possible.
 class SweepBounds {
  public:
-  /// `margin` is by how much each coordinate of p - q may be off.
+  /// Takes the margin, by which each coordinate of p - q may be off.
   explicit SweepBounds(double margin) : margin_(margin) {}
 
   /// Takes note of one n: `along` is n.d, `size` the sum of its absolute components, and `lowest`
@@ -66,7 +68,7 @@ class SweepBounds {
   double upper_ = std::numeric_limits<double>::infinity();
 };
 
-/// The middle of the mesh's own bounds, placed.
+/// Returns the middle of the mesh's own bounds, placed.
 Eigen::Vector3d middle_of(const PlacedMeshView& placed);
 
 }  // namespace graze::contacts

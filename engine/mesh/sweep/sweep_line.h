@@ -14,9 +14,9 @@ struct SweepLine {
   double direction[3] = {0, 0, 0};
   int exponent = 0;
 
-  /// Whether it goes anywhere.
+  /// True if it goes anywhere.
   bool is_any() const { return direction[0] != 0 || direction[1] != 0 || direction[2] != 0; }
-  /// No less than s at a time that is no later.
+  /// Returns no less than s at a time that is no later.
   double at(double time) const;
 };
 

@@ -8,8 +8,8 @@
 namespace graze::contacts {
 
 /// Bounds how far pairs of nodes have to be swept. All boxes of a tree have the same axes: one set
-/// of directions serves the whole sweep, and what a box is along them is found once for all pairs
-/// that it comes into.
+/// of directions serves the whole sweep, and the extents of a box along them are found once for all
+/// pairs that it comes into.
 class SweptNodes {
  public:
   static constexpr std::size_t kDirections = 13;
@@ -26,16 +26,17 @@ class SweptNodes {
   Extent extent_a(const bvh::FloatBox& box) const { return extent(box, scale_a_); }
   Extent extent_b(const bvh::FloatBox& box) const { return extent(box, scale_b_); }
 
-  /// No less than the largest translation at which something in box `a` meets something in box `b`;
-  /// negative if there is none. Once it is known to be `enough` or less, any value that is.
+  /// Returns no less than the largest translation at which something in box `a` meets something in
+  /// box `b`; negative if there is none. Once it is known to be `enough` or less, any such value
+  /// may be returned.
   double last_contact(const Extent& a, const Extent& b, double enough) const;
 
-  /// To choose the larger one of two boxes, whichever trees they are of.
+  /// Return sizes by which the larger one of two boxes is chosen, whichever trees they are of.
   double size_a(const bvh::FloatBox& box) const;
   double size_b(const bvh::FloatBox& box) const;
 
  private:
-  /// What a vector n makes of the local coordinates of a tree.
+  /// The factors of the local coordinates of a tree along a vector n.
   using Scale = std::array<double, 3>;
 
   /// A vector n, in the sense in which n . d is not negative.
@@ -44,8 +45,8 @@ class SweptNodes {
     double margin;
     double across;  ///< not negative for what is hardly along the motion: then n . (p - q) is 0 to
                     ///< this
-    double up;      ///< what n . (p - q) is multiplied by to bound the translation from above
-    double down;    ///< and from below
+    double up;      ///< the factor of n . (p - q) in the bound of the translation from above
+    double down;    ///< the factor in the bound from below
   };
   /// A tree's frame, placed, in the units of the sweep.
   struct Frame {

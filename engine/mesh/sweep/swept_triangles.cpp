@@ -31,7 +31,7 @@ Vector cross(const double* a, const double* b) {
   return {{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]}};
 }
 
-/// The differences of the corners, and what is known of s.
+/// The differences of the corners, and the bounds of s that are known.
 class Differences {
  public:
   Differences(const SweptTriangle& a, const SweptTriangle& b, const double (&direction)[3],
@@ -43,7 +43,7 @@ class Differences {
     }
   }
 
-  /// Asks one more vector; true if all is known that is wanted.
+  /// Asks one more vector. Returns true if all is known that is wanted.
   bool ask(const Vector& n) {
     double lowest = dot(n.at, difference_[0]);
     double highest = lowest;
@@ -57,7 +57,7 @@ class Differences {
     return bounds_.is_empty() || bounds_.upper() <= enough_;
   }
 
-  /// Across the direction, from one triangle to the other.
+  /// Returns a vector across the direction, from one triangle to the other.
   Vector sideways() const {
     const double* w = difference_[0];
     const double along = dot(w, direction_);

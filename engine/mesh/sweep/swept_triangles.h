@@ -12,9 +12,9 @@ struct SweptTriangle {
   double edge[3][3];
 };
 
-/// No less than the largest s >= 0 at which b, moved by s along the unit vector, meets a, and more
-/// only by what rounding could do; negative if they never meet. If it is not more than `enough`,
-/// any value that is not.
+/// Returns no less than the largest s >= 0 at which b, moved by s along the unit vector, meets a,
+/// and more only by what rounding could do; negative if they never meet. If it is not more than
+/// `enough`, any such value may be returned.
 double last_contact(const SweptTriangle& a, const SweptTriangle& b, const double (&direction)[3],
                     double enough);
 

@@ -23,7 +23,7 @@ constexpr std::uint32_t kFaces = 12;
 
 /// The surface of a box.
 struct BoxSurface {
-  std::array<Eigen::Vector3d, 8> corner;  ///< bit k of a number says: the larger of coordinate k
+  std::array<Eigen::Vector3d, 8> corner;  ///< bit k of its number says: the larger of coordinate k
   std::array<Triangle, kFaces> triangle;
 
   explicit BoxSurface(const Aabb& box) {
@@ -42,7 +42,7 @@ struct BoxSurface {
   }
 };
 
-/// Along the directions of a cast: all of it, and each triangle.
+/// The spans of a box along the directions of a cast: that of all of it, and that of each triangle.
 struct BoxSpans {
   contacts::CastDirections::Span all;
   std::array<contacts::CastDirections::Span, kFaces> triangle;
@@ -58,7 +58,7 @@ struct BoxSpans {
   }
 };
 
-/// What goes, for VolumeWalk.
+/// The box that goes, for VolumeWalk.
 class BoxMover {
  public:
   BoxMover(const Aabb& box, const contacts::CastDirections& directions, EarliestMeeting& earliest,
@@ -116,7 +116,8 @@ bool is_inside(const Eigen::Vector3d& p, const Aabb& box) {
   return true;
 }
 
-/// Of a triangle that meets the box: one of its corners, or a point of a face.
+/// Returns a point that a triangle shares with the box that it meets: one of its corners, or a
+/// point of a face.
 Eigen::Vector3d common_point(const Triangle& triangle, const Aabb& box) {
   for (const Eigen::Vector3d* corner : {&triangle.a, &triangle.b, &triangle.c}) {
     if (is_inside(*corner, box)) return *corner;
@@ -128,7 +129,7 @@ Eigen::Vector3d common_point(const Triangle& triangle, const Aabb& box) {
   return triangle.a;
 }
 
-/// In the frame of the mesh.
+/// Casts a box in the frame of the mesh.
 std::optional<VolumeCast> cast_box(const contacts::FramedMesh& mesh, const Aabb& box,
                                    const Eigen::Vector3d& displacement,
                                    const contacts::SweepUnits& units, Work& work) {
@@ -144,7 +145,7 @@ std::optional<VolumeCast> cast_box(const contacts::FramedMesh& mesh, const Aabb&
   return result;
 }
 
-/// The rotation of law 3, without its translation.
+/// Turns a vector by the rotation of law 3, without its translation.
 Eigen::Vector3d turned_into(const Pose& frame, const Eigen::Vector3d& v) {
   const double* m = frame.data();
   Eigen::Vector3d turned;
@@ -154,7 +155,7 @@ Eigen::Vector3d turned_into(const Pose& frame, const Eigen::Vector3d& v) {
   return turned;
 }
 
-/// A direction of a frame in space, with length 1; zero stays.
+/// Returns a direction of a frame in space, with length 1; zero stays.
 Eigen::Vector3d unit_in_space(const Pose& frame, const Eigen::Vector3d& n) {
   const double* m = frame.data();
   double turned[3];

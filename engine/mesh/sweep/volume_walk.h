@@ -10,11 +10,11 @@
 
 namespace graze {
 
-/// What no bound of a cast is above: it never meets.
+/// The bound of what is never met: no bound of a cast is above it.
 inline constexpr double kNeverMet = std::numeric_limits<double>::infinity();
 
-/// Of a translation, in the units of a sweep: a triangle is met no earlier than `low`, and what is
-/// met later than `limit` is of no interest.
+/// The bounds of a translation, in the units of a sweep: a triangle is met no earlier than `low`,
+/// and what is met later than `limit` is of no interest.
 struct MeetingBounds {
   double low;
   double limit;

@@ -6,7 +6,8 @@
 namespace graze::mesh_io {
 namespace {
 
-/// Numbers of planes have 16 bits: grids have at most 65535 voxels along an axis.
+/// Returns the key of two numbers of planes. They have 16 bits: grids have at most 65535 voxels
+/// along an axis.
 constexpr std::uint32_t key_of(std::uint32_t i, std::uint32_t j) {
   return j << 16 | i;
 }
@@ -18,7 +19,8 @@ void append_corners(std::span<const Voxel> layer, std::vector<std::uint32_t>& ke
   }
 }
 
-/// The voxels of layer k, which come first among those of this and later layers, are taken off.
+/// Takes off the voxels of layer k, which come first among those of this and later layers, and
+/// returns them.
 std::span<const Voxel> take_layer(std::span<const Voxel>& voxels, std::uint32_t k) {
   const auto is_of_layer = [&](const Voxel& voxel) { return voxel.k == k; };
   const auto end = std::partition_point(voxels.begin(), voxels.end(), is_of_layer);

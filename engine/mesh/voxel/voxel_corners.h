@@ -11,12 +11,12 @@ namespace graze::mesh_io {
 /// then y, then x.
 class VoxelCorners {
  public:
-  /// The voxels must be in order, each once, and within their grid.
+  /// Takes voxels, which must be in order, each once, and within their grid.
   explicit VoxelCorners(const Voxels& voxels);
 
   std::uint64_t size() const { return keys_.size(); }
 
-  /// Calls `corner_fn({i, j, k})`, numbers of planes, for each in order.
+  /// Calls `corner_fn({i, j, k})`, numbers of planes, for each corner in order.
   template <typename CornerFn>
   void for_each(CornerFn&& corner_fn) const {
     for (std::uint32_t k = 0; k + 1 < first_.size(); ++k) {
@@ -26,7 +26,7 @@ class VoxelCorners {
     }
   }
 
-  /// The number of the corner in planes i, j and k, which must be one.
+  /// Returns the number of the corner in planes i, j and k, which must be one.
   std::uint64_t number(std::uint32_t i, std::uint32_t j, std::uint32_t k) const;
 
  private:
@@ -34,7 +34,8 @@ class VoxelCorners {
   std::vector<std::uint64_t> first_;  ///< where in keys_ each plane along z begins, and the end
 };
 
-/// Numbers of the eight corners of voxels in order, corner x + 2 y + 4 z for x, y, z in {0, 1}.
+/// Gives the numbers of the eight corners of voxels in order, corner x + 2 y + 4 z for x, y, z in
+/// {0, 1}.
 class VoxelCornerNumbers {
  public:
   explicit VoxelCornerNumbers(const VoxelCorners& corners) : corners_(corners) {}

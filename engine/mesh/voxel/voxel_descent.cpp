@@ -10,7 +10,7 @@ namespace {
 
 using narrowphase::LineCrossing;
 
-/// Blocks are halved along three axes of at most 2^16 voxels.
+/// The deepest descent: blocks are halved along three axes of at most 2^16 voxels.
 constexpr std::size_t kMaxDepth = 3 * 16 + 1;
 
 float longest_side(const bvh::FloatBox& box) {
@@ -60,7 +60,8 @@ void VoxelDescent::descend(const Part& part, const VoxelCandidates& candidates, 
   visit(upper, candidates, depth);
 }
 
-/// A voxel is tested against what is left of the block above it: choosing first would be as dear.
+/// Visits a block. A voxel is tested against what is left of the block above it: choosing first
+/// would be as dear.
 void VoxelDescent::visit(const Part& part, const VoxelCandidates& candidates_above,
                          std::size_t depth) {
   if (part.block.size() == 1) return descend(part, candidates_above, depth);
@@ -135,7 +136,7 @@ bool VoxelDescent::is_touched(const VoxelBlock& voxel, const VoxelCandidates& ca
              bvh::Walk::Stop;
 }
 
-/// Whether the number of crossings between the first corners of a block and of its upper half along
+/// True if the number of crossings between the first corners of a block and of its upper half along
 /// the axis, both moved, is odd.
 bool VoxelDescent::is_odd_between_corners(const VoxelBlock& block, const VoxelBlock& upper,
                                           int axis, const VoxelCandidates& candidates) {

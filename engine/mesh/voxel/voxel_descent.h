@@ -1,6 +1,7 @@
 #pragma once
 
-// How find_voxels() goes down from blocks of voxels to voxels. Private to engine/mesh.
+// This is how find_voxels() goes down from blocks of voxels to voxels. It is private to
+// engine/mesh.
 
 #include <graze/bvh/tree/tree.h>
 #include <graze/engine/mesh/mesh.h>
@@ -13,7 +14,7 @@
 
 namespace graze {
 
-/// What every block of one query shares.
+/// The data that all blocks of one query share.
 struct VoxelScene {
   const Mesh& mesh;
   const bvh::Tree& tree;
@@ -21,7 +22,8 @@ struct VoxelScene {
   VoxelFill fill;
 };
 
-/// All of a mesh that can touch a block: whole nodes while they are smaller than it, and triangles.
+/// All parts of a mesh that can touch a block: whole nodes while they are smaller than it, and
+/// triangles.
 struct VoxelCandidates {
   std::vector<std::uint32_t> nodes;
   std::vector<std::uint32_t> triangles;
@@ -33,12 +35,12 @@ struct VoxelCandidates {
 struct VoxelTask {
   VoxelBlock block;
   VoxelCandidates candidates;
-  /// For solids: whether the point beside the block's first corner, moved into the block as
-  /// narrowphase/ray/axis_line.h says, is enclosed.
+  /// If the mesh is a solid, whether the point beside the block's first corner, moved into the
+  /// block as narrowphase/ray/axis_line.h says, is enclosed.
   bool is_corner_enclosed = false;
 };
 
-/// Voxels (i .. i + length - 1, j, k), packed so that numbers order as voxels do.
+/// A run of voxels (i .. i + length - 1, j, k), packed so that numbers order as voxels do.
 class VoxelRun {
  public:
   VoxelRun(std::uint32_t i, std::uint32_t j, std::uint32_t k, std::uint32_t length)
@@ -60,20 +62,20 @@ class VoxelRun {
 /// which an exact test decides, and to blocks that nothing touches, which are wholly inside or
 /// outside.
 ///
-/// Which of both is known from the block's first corner. Its parity is handed down: the corner of
-/// an upper half lies on an edge of the whole block, so that between the two corners the surface is
-/// crossed by the whole block's candidates alone.
+/// Which of both they are is known from the block's first corner. Its parity is handed down: the
+/// corner of an upper half lies on an edge of the whole block, so that between the two corners the
+/// surface is crossed by the whole block's candidates alone.
 class VoxelDescent {
  public:
   explicit VoxelDescent(const VoxelScene& scene) : scene_(scene) {}
 
-  /// Halves until blocks have at most `task_size` voxels, which are appended to `tasks`.
+  /// Halves blocks until they have at most `task_size` voxels, and appends them to `tasks`.
   void split(const VoxelTask& task, std::uint64_t task_size, std::vector<VoxelTask>& tasks);
 
-  /// Goes all the way down.
+  /// Goes all the way down from a block.
   void run(const VoxelTask& task);
 
-  /// What was found, in no order.
+  /// Returns the runs that were found, in no order.
   std::vector<VoxelRun>& runs() { return runs_; }
   const Work& work() const { return work_; }
 
@@ -96,7 +98,8 @@ class VoxelDescent {
   VoxelScene scene_;
   std::uint64_t task_size_ = 0;
   std::vector<VoxelTask>* tasks_ = nullptr;
-  std::vector<VoxelCandidates> levels_;  ///< reused by all blocks of one depth
+  std::vector<VoxelCandidates> levels_;  ///< the candidates for each depth, reused by all blocks of
+                                         ///< that depth
   std::vector<VoxelRun> runs_;
   Work work_;
 };

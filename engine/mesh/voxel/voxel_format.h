@@ -10,7 +10,7 @@
 
 namespace graze::mesh_io {
 
-/// How many elements a file will have.
+/// The numbers of elements that a file will have.
 struct BoxCounts {
   std::uint64_t corners;
   std::uint64_t quads;
@@ -21,14 +21,14 @@ class BoxFile {
  public:
   virtual ~BoxFile() = default;
 
-  /// The numbers of three planes of the grid.
+  /// Adds a corner by the numbers of three planes of the grid.
   virtual void add_corner(const std::array<std::uint32_t, 3>& planes) = 0;
 
-  /// Corners counted from 0.
+  /// Adds a quad by its corners, counted from 0.
   virtual void add_quad(const std::array<std::uint64_t, 4>& corners) = 0;
 };
 
-/// Begins a file. What it refers to must outlive it.
+/// Begin a file. What it refers to must outlive it.
 std::unique_ptr<BoxFile> begin_obj(files::OutputFile& file, const VoxelGrid& grid,
                                    BoxCounts counts);
 std::unique_ptr<BoxFile> begin_ply(files::OutputFile& file, const VoxelGrid& grid,
@@ -40,7 +40,8 @@ struct VoxelFormat {
   std::unique_ptr<BoxFile> (*begin)(files::OutputFile&, const VoxelGrid&, BoxCounts);
 };
 
-/// Throws MeshError, naming the file, if its name ends like none.
+/// Returns the format of a file's name. Throws MeshError, naming the file, if the name ends like
+/// none.
 const VoxelFormat& voxel_format_of(const std::filesystem::path& path);
 
 }  // namespace graze::mesh_io

@@ -10,7 +10,7 @@
 namespace graze {
 namespace {
 
-/// The most voxels along an axis.
+/// The largest number of voxels along an axis.
 constexpr std::uint32_t kMaxResolution = 65535;
 
 // An index has at most 16 bits: index * edge fits into 52 and is exact, down to the denormals,
@@ -23,7 +23,7 @@ constexpr int kSmallestExponent = -1074;
 // the largest coordinate M, where the unit is 2^-51 M at most. Sums of denormals are exact.
 constexpr double kSmallestEdge = 0x1p-50;
 
-/// The last place of an edge: rounding up goes to a multiple of it.
+/// Returns the last place of an edge: rounding up goes to a multiple of it.
 double edge_quantum(double length) {
   int exponent = 0;
   std::frexp(length, &exponent);
@@ -54,8 +54,8 @@ bool is_covered(const VoxelGrid& grid, const Aabb& bounds, std::uint32_t count) 
          is_covered(grid, bounds, 2, count);
 }
 
-/// The smallest count that covers the bounds, of which `enough` is one. Planes rise with their
-/// index.
+/// Returns the smallest count that covers the bounds, of which `enough` is one. Planes rise with
+/// their index.
 std::uint32_t smallest_count(const VoxelGrid& grid, const Aabb& bounds, int axis,
                              std::uint32_t enough) {
   std::uint32_t too_few = 0;

@@ -6,7 +6,7 @@
 namespace graze::mesh_io {
 namespace {
 
-/// 17 digits identify a double. Unlike printf, to_chars knows no locale.
+/// Returns a double in 17 digits, which identify it. Unlike printf, to_chars knows no locale.
 std::string text_of(double value) {
   std::array<char, 32> text;
   const auto end =
@@ -44,7 +44,7 @@ class ObjBoxFile : public BoxFile {
 
  private:
   files::OutputFile& file_;
-  std::array<std::vector<std::string>, 3> planes_;  ///< as text, which corners repeat
+  std::array<std::vector<std::string>, 3> planes_;  ///< the planes as text, which corners repeat
 };
 
 }  // namespace

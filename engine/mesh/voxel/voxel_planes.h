@@ -1,6 +1,6 @@
 #pragma once
 
-// The planes of a grid, computed once per query. Private to engine/mesh.
+// These are the planes of a grid, computed once per query. They are private to engine/mesh.
 
 #include <graze/bvh/value/float_box.h>
 #include <graze/bvh/value/local_frame.h>
@@ -27,16 +27,16 @@ class VoxelPlanes {
  public:
   VoxelPlanes(const VoxelGrid& grid, const bvh::LocalFrame& frame, const Aabb& bounds);
 
-  /// The closed box of a block.
+  /// Returns the closed box of a block.
   Aabb box(const VoxelBlock& block) const;
 
-  /// What of that can hold a point of the mesh, rounded outward.
+  /// Returns the part of that box which can hold a point of the mesh, rounded outward.
   bvh::FloatBox local_box(const VoxelBlock& block) const;
 
-  /// The corner of a block with the smallest coordinates.
+  /// Returns the corner of a block with the smallest coordinates.
   Eigen::Vector3d first_corner(const VoxelBlock& block) const;
 
-  /// The same corner, rounded outward.
+  /// Returns the same corner, rounded outward.
   bvh::FloatBox local_first_corner(const VoxelBlock& block) const;
 
  private:

@@ -5,7 +5,7 @@
 namespace graze::mesh_io {
 namespace {
 
-/// Little-endian bytes, whatever the machine.
+/// Puts little-endian bytes, whatever the machine.
 template <typename Bits>
 char* put(char* at, Bits bits) {
   for (std::size_t i = 0; i < sizeof(Bits); ++i)

@@ -24,8 +24,8 @@
 namespace graze {
 namespace {
 
-/// Blocks for threads to share: this many if the surface were everywhere, but none so small that
-/// handing it over would show.
+/// The number of blocks for threads to share: this many if the surface were everywhere, but none so
+/// small that handing it over would show.
 constexpr std::uint64_t kTaskCount = 16384;
 constexpr std::uint64_t kMinTaskSize = 512;
 
@@ -35,11 +35,11 @@ class PartsDone {
   PartsDone(const VoxelSettings& settings, std::uint64_t users_control_word, std::size_t total)
       : settings_(settings), users_control_word_(users_control_word), total_(total) {}
 
-  /// A part with so many voxels. Throws InputError if they become too many.
+  /// Adds a part with so many voxels. Throws InputError if they become too many.
   void add(std::uint64_t voxels) {
     const std::lock_guard lock(mutex_);
     voxels_ += voxels;
-    // Other threads end what they are at before they learn that one of them threw.
+    // Other threads end what they are doing before they learn that one of them threw.
     if (is_over_) return;
     is_over_ = true;
     if (voxels_ > settings_.max_voxels) {
@@ -59,7 +59,7 @@ class PartsDone {
   std::size_t total_;
   std::size_t done_ = 0;
   std::uint64_t voxels_ = 0;
-  bool is_over_ = false;  // it threw
+  bool is_over_ = false;  ///< whether one of the threads threw
   std::mutex mutex_;
 };
 
@@ -70,7 +70,8 @@ std::uint64_t count_voxels(std::span<const VoxelRun> runs) {
   return count;
 }
 
-/// More than oneTBB has threads to give is not asked for, or it would warn on stderr.
+/// Returns how many threads to ask for. More than oneTBB has are not asked for, or it would warn on
+/// stderr.
 int arena_size(const VoxelSettings& settings) {
   check_threads(settings.threads);
   if (settings.threads == 0) return tbb::task_arena::automatic;
@@ -79,7 +80,7 @@ int arena_size(const VoxelSettings& settings) {
   return std::min(settings.threads, static_cast<int>(available));
 }
 
-/// The mesh as it is placed. The identity changes no vertex.
+/// Returns the mesh as it is placed. The identity changes no vertex.
 Mesh mesh_in_place(const PlacedMeshView& placed) {
   check_placement(placed.pose, placed.mesh.bounds(), "pose of the mesh");
   if (placed.pose.matrix() == Eigen::Matrix4d::Identity()) return placed.mesh;

@@ -12,10 +12,11 @@
 namespace graze {
 namespace {
 
-/// What a Mesh can have of vertices, and so what load_mesh() can read.
+/// The largest number of vertices that a Mesh can have, and so that load_mesh() can read.
 constexpr std::uint64_t kMaxCorners = 0x7fffffff;
 
-/// Counter-clockwise seen from outside; corner x + 2 y + 4 z of the box is at x, y, z in {0, 1}.
+/// The quads of a box, counter-clockwise seen from outside; corner x + 2 y + 4 z of the box is at
+/// x, y, z in {0, 1}.
 constexpr int kQuads[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4},
                               {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
 
