@@ -35,8 +35,8 @@ inline constexpr std::array kPairVolumes{PairVolume::WideObb, PairVolume::Aabb, 
 const char* name_of(Volume volume);
 const char* name_of(PairVolume volume);
 
-/// Returns the Volume of the same name, or nothing for WideObb, which is no Volume. Throws InputError
-/// for what is none of the above.
+/// Returns the Volume of the same name, or nothing for WideObb, which is no Volume. Throws
+/// InputError for what is none of the above.
 std::optional<Volume> binary_volume(PairVolume volume);
 
 }  // namespace graze
