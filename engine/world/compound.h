@@ -11,41 +11,42 @@
 
 namespace graze {
 
-/// What a part of a compound is to others. A world reads the filter alone.
+/// Settings of a part of a compound. A world reads only the filter.
 struct PartSettings {
-  /// Whom the part meets among those that its body may meet; if there is none, it meets all of
-  /// them. Where two parts stand against each other, or a part and a body that is no compound, each
-  /// has its own filter, or else its body's.
+  /// Says which of the bodies that its body may meet the part meets; a part without a filter meets
+  /// all of them. Where two parts are compared, or a part and a body that is no compound, each has
+  /// its own filter, or else its body's.
   std::optional<Filter> filter = {};
   std::uint64_t user_data = 0;  ///< a number that nobody reads
-  std::uint32_t material = 0;   ///< likewise: what it is made of, say
+  std::uint32_t material = 0;   ///< a number that nobody reads, such as what the part is made of
 };
 
-/// Several shapes with poses, to be one body: share() makes a BodyShape of it. A value: parts can
-/// be added, replaced and removed one by one, and what was shared before stays as it was; a body
-/// gets the new one by World::set_shape(). Parts may overlap, which is nobody's contact, and meshes
-/// are parts like any other shape, as surfaces. Parts are known by small numbers; one that is free
-/// is used again, that which was freed last first.
+/// Several shapes with poses that form one body: share() makes a BodyShape of them. A compound is a
+/// value: parts can be added, replaced and removed one by one, and what was shared before stays as
+/// it was; World::set_shape() gives a body the new compound. Parts may overlap, which makes no
+/// contact; a mesh may be a part like any other shape, and counts as a surface. Parts are known by
+/// small numbers; a freed number is used again, the one freed last first.
 class Compound {
  public:
-  /// A part in the compound's own frame. Throws InputError for a half-space or a plane, which are
-  /// bodies of their own, and PoseError as bounding_aabb() does. O(1), O(vertices) for a hull.
+  /// Adds a part in the compound's own frame and returns its number. Throws InputError for a
+  /// half-space or a plane, which must be bodies of their own, and PoseError as bounding_aabb()
+  /// does. It costs O(1), and O(vertices) for a hull.
   std::uint32_t add(const PlacedShapeView& part, const PartSettings& settings = {});
-  /// Gives a part another shape and pose; its settings stay. Throws likewise. This, and all that
-  /// take the number of a part, throw StaleIdError where there is none.
+  /// Gives a part another shape and pose; its settings stay. Throws as add() does. This function,
+  /// and all others that take the number of a part, throw StaleIdError if there is no such part.
   void replace(std::uint32_t part, const PlacedShapeView& by);
   void set_settings(std::uint32_t part, const PartSettings& settings);
   void remove(std::uint32_t part);
 
-  /// Whether there is a part of this number.
+  /// True if there is a part of this number.
   bool contains(std::uint32_t part) const;
-  /// How many parts there are.
+  /// Returns the number of parts.
   std::size_t size() const { return parts_.size() - free_.size(); }
-  /// The numbers of the parts, ascending.
+  /// Returns the numbers of the parts, ascending.
   std::vector<std::uint32_t> parts() const;
-  /// The part in the compound's frame.
+  /// Returns the part in the compound's frame.
   const PlacedShape& part(std::uint32_t part) const;
-  /// The settings that add() or set_settings() gave the part last.
+  /// Returns the settings that add() or set_settings() gave the part last.
   const PartSettings& settings(std::uint32_t part) const;
 
  private:
@@ -60,25 +61,26 @@ class Compound {
   std::vector<std::uint32_t> free_;
 };
 
-/// The compound as a world asks it, for World::add() and World::set_shape(): one for many bodies.
-/// What it meets, where and when is what its parts meet as bodies of their own, each in the pose
-/// placed_part(body, part); times of casts differ by less than their tolerance, which for a body of
-/// its own grows with the distance of the world's origin. Moving such a body costs nothing for each
-/// part; an answer costs the parts near the other, which are looked up in boxes: O(log n + near).
-/// Throws InputError for one without parts, PoseError for one that reaches beyond kLargestLength.
-/// O(n log n); it takes up to 512 bytes, and as much for each part, with 60 more from when the
-/// nearest of many is asked for.
+/// Makes a BodyShape of a compound, for World::add() and World::set_shape(); many bodies may share
+/// it. It meets what its parts would meet as bodies of their own, at the same places and times,
+/// each part in the pose placed_part(body, part). Only times of casts differ, by less than their
+/// tolerance, which for a body of its own grows with the distance from the world's origin. Moving
+/// such a body costs nothing for its parts; an answer looks up the parts near the other body in
+/// boxes, which costs O(log n + near). Throws InputError for a compound without parts, and
+/// PoseError for one that reaches beyond kLargestLength. It costs O(n log n); the shape takes up to
+/// 512 bytes, and as much for each part, with 60 more once the nearest of many parts has been asked
+/// for.
 ///
-/// A body's pose is refused (PoseError) where that of a part is. Of `gap()` such a shape knows
-/// nothing: pairs in which something moved are asked again.
+/// A body's pose is refused (PoseError) where that of a part is. `gap()` of such a shape is 0, so
+/// that pairs in which something moved are tested again.
 std::shared_ptr<const BodyShape> share(const Compound& compound);
 
-/// The compound that a shape stands for, as it was shared, or nullptr: to look up what a contact or
-/// a ray says of parts.
+/// Returns the compound that a shape stands for, as it was shared, or nullptr. With it the numbers
+/// of parts in contacts and ray hits can be looked up.
 const Compound* compound_of(const BodyShape& shape);
 
-/// The pose of a part whose body is in `body`: for each entry ((R_i0 x + R_i1 y) + R_i2 z), and for
-/// the translation + t_i, each operation rounded. Nothing is checked.
+/// Returns the pose of a part whose body is in the pose `body`: each entry is ((R_i0 x + R_i1 y) +
+/// R_i2 z), to which the translation adds t_i, and each operation is rounded. Nothing is checked.
 Pose placed_part(const Pose& body, const Pose& part);
 
 }  // namespace graze

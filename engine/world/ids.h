@@ -1,6 +1,7 @@
 #pragma once
 
-// What a world and a broad phase hand out for bodies and boxes: small values without any geometry.
+// The ids that a world and a broad phase hand out for bodies and boxes: small values without any
+// geometry.
 
 #include <graze/bvh/box_pair.h>
 #include <graze/bvh/hash.h>
@@ -12,9 +13,9 @@
 
 namespace graze {
 
-/// A body of a World, by value. An index is used again when its body is gone; the generation tells
-/// its users apart, and in its highest 8 bits worlds that have numbers (WorldSettings::number): an
-/// id of another world is refused.
+/// The id of a body of a World. An index is used again when its body is gone; the generation tells
+/// the bodies of one index apart. Its highest 8 bits are the number of the world, if that has one
+/// (WorldSettings::number), so that an id of another world is refused.
 struct BodyId {
   std::uint32_t index = 0xffffffffu;  ///< a small number, which may serve as index of an array; of
                                       ///< no body as it is here
@@ -22,15 +23,15 @@ struct BodyId {
   friend auto operator<=>(const BodyId&, const BodyId&) = default;
 };
 
-/// Two bodies, the one with the smaller index first.
+/// The ids of two bodies, the smaller index first.
 struct BodyPair {
-  BodyId a;  ///< with the smaller index
-  BodyId b;  ///< with the larger index
+  BodyId a;  ///< the body with the smaller index
+  BodyId b;  ///< the body with the larger index
   friend auto operator<=>(const BodyPair&, const BodyPair&) = default;
 };
 
-/// A box of a BroadPhase, by value. Indices are small numbers that are used again when a box is
-/// gone; the generation tells its users apart.
+/// The id of a box of a BroadPhase. Indices are small numbers that are used again when a box is
+/// gone; the generation tells the boxes of one index apart.
 struct BoxId {
   std::uint32_t index = 0xffffffffu;  ///< a small number, which may serve as index of an array; of
                                       ///< no box as it is here

@@ -13,10 +13,10 @@
 
 namespace graze {
 
-// Value types in a body's own frame, metres, closed and solid. Sphere and Ellipsoid have a centre
-// in it; the others are centred at its origin, with z as their axis.
+// The shapes are values in a body's own frame, metres, closed and solid. Sphere and Ellipsoid have
+// a centre in that frame; the others are centred at its origin, with z as their axis.
 
-/// [-half_extents, half_extents].
+/// The points from -half_extents to half_extents.
 struct Box {
   Eigen::Vector3d half_extents;  ///< metres, along x, y and z
 
@@ -26,12 +26,13 @@ struct Box {
 /// The points at most `radius` from the segment between z = -half_length and z = half_length.
 struct Capsule {
   double radius;       ///< metres
-  double half_length;  ///< 0 is a sphere
+  double half_length;  ///< metres; if 0, the capsule is a sphere
 
   bool operator==(const Capsule&) const = default;
 };
 
-/// Between z = -half_height and z = half_height around the z axis.
+/// The points between z = -half_height and z = half_height that are at most `radius` from the z
+/// axis.
 struct Cylinder {
   double radius;       ///< metres
   double half_height;  ///< metres
@@ -39,9 +40,9 @@ struct Cylinder {
   bool operator==(const Cylinder&) const = default;
 };
 
-/// The apex is at z = half_height, the base, of that radius, at z = -half_height.
+/// A cone with its apex at z = half_height and its base at z = -half_height.
 struct Cone {
-  double radius;       ///< of the base, metres
+  double radius;       ///< the radius of the base, metres
   double half_height;  ///< metres
 
   bool operator==(const Cone&) const = default;
@@ -49,26 +50,28 @@ struct Cone {
 
 /// The points x with normal . x <= offset.
 struct HalfSpace {
-  /// Outward; of any length but 0, and scaled to 1 by Shape, which leaves what is of that length to
-  /// rounding as it is.
+  /// The outward normal, of any length but 0. Shape scales it to length 1, and leaves it as it is
+  /// if it has that length up to rounding.
   Eigen::Vector3d normal;
-  double offset = 0;  ///< for the normal as it is given
+  double offset = 0;  ///< metres, times the length of the normal as it is given
 
   bool operator==(const HalfSpace&) const = default;
 };
 
-/// The points x with normal . x == offset: a plane that has no inside, and both sides of which are
-/// free. What is convex and lies on one side meets it as it meets the half-space behind it; what
-/// reaches through it leaves it to the side where it has less to go. A mesh meets it where a
-/// triangle does: one in several pieces may have some of them on either side, and be free.
+/// The points x with normal . x == offset: a plane without an inside, both sides of which are free.
+/// A convex shape on one side meets it as it meets the half-space behind it; one that reaches
+/// through it leaves it to the side where it has less far to go. A mesh meets it where one of its
+/// triangles does: a mesh in several pieces may have some of them on either side and not touch the
+/// plane.
 struct Plane {
-  Eigen::Vector3d normal;  ///< either of the two; of any length but 0, and scaled to 1 by Shape
-  double offset = 0;       ///< for the normal as it is given
+  Eigen::Vector3d normal;  ///< either of the two normals, of any length but 0; Shape scales it to
+                           ///< length 1
+  double offset = 0;       ///< metres, times the length of the normal as it is given
 
   bool operator==(const Plane&) const = default;
 };
 
-/// Which of the types a Shape is, in the order of Shape::Value.
+/// The types that a Shape can have, in the order of Shape::Value.
 enum class ShapeKind {
   Sphere,
   Box,
@@ -83,31 +86,32 @@ enum class ShapeKind {
   Plane
 };
 
-/// All of them, in their order.
+/// All kinds of shapes, in their order.
 inline constexpr std::array kShapeKinds{
     ShapeKind::Sphere, ShapeKind::Box,         ShapeKind::Capsule,    ShapeKind::Cylinder,
     ShapeKind::Cone,   ShapeKind::Ellipsoid,   ShapeKind::ConvexHull, ShapeKind::HalfSpace,
     ShapeKind::Mesh,   ShapeKind::HeightField, ShapeKind::Plane};
 
-/// "sphere", "box", ... as error messages call it.
+/// Returns the name of a kind in error messages: "sphere", "box", ...
 const char* name_of(ShapeKind kind);
 
-/// Lengths of shapes are at least the smallest and at most the largest, and so are, at most,
-/// coordinates of their poses: squares and products of six stay within double.
+/// The smallest length of a shape, metres. With it and kLargestLength, which bounds coordinates of
+/// poses, too, squares and products of up to six lengths stay within the range of double.
 inline constexpr double kSmallestLength = 1e-100;
-/// The largest: see kSmallestLength.
+/// The largest length of a shape and the largest coordinate of a pose, metres.
 inline constexpr double kLargestLength = 1e100;
 
-/// Any shape that a body can have; a value, and cheap to copy: hulls, meshes and height fields are
-/// handles. The constructors are the door: they throw InputError, which names the shape and the
-/// member, for what is not finite, not positive, or beyond the lengths above.
+/// Any shape that a body can have. It is a value, and cheap to copy, because hulls, meshes and
+/// height fields are handles. The constructors check their arguments: they throw InputError, which
+/// names the shape and the member, for numbers that are not finite, not positive, or beyond the
+/// lengths above.
 class Shape {
  public:
-  /// What it can be.
+  /// The types that a shape can have.
   using Value = std::variant<Sphere, Box, Capsule, Cylinder, Cone, Ellipsoid, ConvexHull, HalfSpace,
                              Mesh, HeightField, Plane>;
 
-  /// A shape is any of these: each converts to it.
+  /// Each of these types converts to a shape.
   Shape(const Sphere& sphere);      // NOLINT(google-explicit-constructor): a shape is any of these
   Shape(const Box& box);            // NOLINT(google-explicit-constructor)
   Shape(const Capsule& capsule);    // NOLINT(google-explicit-constructor)
@@ -120,18 +124,18 @@ class Shape {
   Shape(HeightField field);            // NOLINT(google-explicit-constructor)
   Shape(const Plane& plane);           // NOLINT(google-explicit-constructor)
 
-  /// Which of them it is.
+  /// Returns the type of the shape.
   ShapeKind kind() const { return static_cast<ShapeKind>(value_.index()); }
-  /// The shape itself.
+  /// Returns the shape as a variant of all types.
   const Value& value() const { return value_; }
 
-  /// The shape as one of the value types, or nullptr if it is another.
+  /// Returns the shape as a T, or nullptr if it is of another type.
   template <typename T>
   const T* as() const {
     return std::get_if<T>(&value_);
   }
 
-  /// True if both are of one type with the same numbers, or handles to the same.
+  /// True if both are of one type with the same numbers, or handles to the same data.
   friend bool operator==(const Shape&, const Shape&) = default;
 
  private:

@@ -7,26 +7,27 @@
 
 namespace graze {
 
-/// By how much two placed shapes are apart, metres, or reach past each other, and where, in the
-/// world's frame.
+/// The signed distance of two placed shapes, metres, with the points that have it, in the world's
+/// frame.
 struct ShapeSeparation {
-  double distance;          ///< above 0: how far the two are apart; below: minus the depth by which
-                            ///< they reach past each other along the normal; 0 if they touch
-  Eigen::Vector3d point_a;  ///< of A: apart, the nearest to B; else the deepest in B
-  Eigen::Vector3d point_b;  ///< of B, likewise
+  double distance;  ///< above 0, how far the two are apart; below 0, minus the depth by which they
+                    ///< reach past each other along the normal; 0 if they touch
+  Eigen::Vector3d point_a;  ///< the point of A nearest to B, or deepest in B
+  Eigen::Vector3d point_b;  ///< the point of B nearest to A, or deepest in A
   Eigen::Vector3d normal;   ///< unit, from A to B: moving B by minus a negative distance along it
                             ///< parts the two, but for the tolerance of depths (manifold.h)
-  PairStatus status;        ///< whether the distance, or that the depth is the least, is proved
+  PairStatus status;        ///< whether the distance is proved or, of a depth, that it is the least
 
   bool operator==(const ShapeSeparation&) const = default;
 };
 
-/// The signed distance of two convex shapes, half-spaces among them: apart, what distance() says,
-/// bit for bit, with its status; else the deepest contact of find_contacts(), bit for bit, whose
-/// points and depth are promised there, and Converged unless Work::penetration_failures counts the
-/// pair. Above 0 exactly where intersects() is false. Swapping A and B mirrors the result (law 4).
-/// Throws as these two do: UnsupportedPairError for two half-spaces that intersect; and for a mesh,
-/// which is a surface: signed_distance() is about its points.
+/// Returns the signed distance of two convex shapes, either of which may be a half-space. If they
+/// are apart, the answer is that of distance(), bit for bit, with its status. Otherwise it is the
+/// deepest contact of find_contacts(), bit for bit, whose points and depth are promised there; the
+/// status is Converged unless Work::penetration_failures counts the pair. The distance is above 0
+/// exactly where intersects() is false. Swapping A and B mirrors the result (law 4). Throws as
+/// distance() and find_contacts() do, UnsupportedPairError for two half-spaces that intersect, and
+/// UnsupportedPairError for a mesh, which is a surface: signed_distance() is about its points.
 ShapeSeparation find_separation(const PlacedShapeView& shape_a, const PlacedShapeView& shape_b,
                                 Work* work = nullptr);
 

@@ -4,17 +4,18 @@
 
 namespace graze {
 
-/// What of a mesh counts where contacts are asked for, beside its surface.
+/// What counts as a part of a mesh, beside its surface, where contacts are asked for.
 enum class Sides : std::uint8_t {
-  Surface,  ///< nothing: what touches it leaves it in front, and what is inside touches nothing
-  Solid,    ///< what is inside as well, which leaves by the nearest way. The mesh is closed, and
-            ///< each edge has as many triangles one way as the other
-  OneSided  ///< what is behind it as well, up to a thickness, which leaves in front. No edge has
-            ///< two more triangles one way than the other
+  Surface,  ///< only the surface: a body that touches it leaves it in front, and a body inside
+            ///< touches nothing
+  Solid,  ///< the inside as well: a body there leaves by the nearest way. The mesh must be closed,
+          ///< and each edge must have as many triangles one way as the other
+  OneSided  ///< the space behind the surface as well, up to a thickness: a body there leaves in
+            ///< front. No edge may have two more triangles one way than the other
 };
 
-/// Says which sides of a mesh count, and up to which thickness. Other shapes than meshes have a
-/// surface() only, and a height field is never solid().
+/// The sides of a mesh that count, with their thickness. Shapes that are no meshes can only have
+/// surface(), but a height field can have one_sided(), too.
 class MeshSides {
  public:
   /// The same as surface().

@@ -1,6 +1,7 @@
 #pragma once
 
-// Many rays at a world, or a shape in many poses or motions in it, in one call that threads share.
+// Questions about many rays at a world, or about a shape in many poses or motions in it, in one
+// call that threads share.
 
 #include <graze/engine/mesh/query_settings.h>
 #include <graze/engine/mesh/rigid_contact.h>
@@ -24,8 +25,9 @@ struct ShapeInPoses {
   std::span<const Pose> poses;  ///< must outlive this
 };
 
-/// A shape in each of many motions, likewise: `cast(world, {gripper, motions})`. One that goes
-/// straight is `RigidMotion(pose, {.shift = displacement})`.
+/// A shape in each of many motions, as the second argument of questions to a world: `cast(world,
+/// {gripper, motions})`. A straight motion is `RigidMotion(pose, {.shift = displacement})`. It
+/// refers to the shape and the motions, which must outlive it.
 struct ShapeInMotions {
   /// Refers to the shape and the motions.
   ShapeInMotions(const Shape& of_shape, std::span<const RigidMotion> in_motions)
@@ -35,46 +37,46 @@ struct ShapeInMotions {
   std::span<const RigidMotion> motions;  ///< must outlive this
 };
 
-// For each ray, pose or motion, in their order, what the World's own question of that name
-// answers, bit for bit, whatever the number of threads. They throw as it does, and as
-// BatchSettings says; where rays, poses or motions are to blame, the error names the first of them
-// by its index. Where a body has a shape of a user's own that does not allow concurrent calls
-// (BodyShape::allows_concurrent_calls()), the calling thread alone asks. No body may be changed
-// meanwhile, as during the single question.
+// For each ray, pose or motion, in their order, these functions return what the World's own
+// function of that name returns, bit for bit, whatever the number of threads. They throw as it
+// does, and as BatchSettings says; where rays, poses or motions are to blame, the error names the
+// first of them by its index. Where a body has a user's own shape that does not allow concurrent
+// calls (BodyShape::allows_concurrent_calls()), only the calling thread asks. No body may be
+// changed meanwhile, as during a single question.
 
-/// World::cast_ray() for each ray.
+/// Calls World::cast_ray() for each ray.
 std::vector<std::optional<BodyRayHit>> cast_rays(const World& world, std::span<const Ray> rays,
                                                  const BodyQuerySettings& settings = {},
                                                  const BatchSettings& batch = {});
 
-/// World::cast_ray_all() for each ray.
+/// Calls World::cast_ray_all() for each ray.
 std::vector<std::vector<BodyRayHit>> cast_ray_all(const World& world, std::span<const Ray> rays,
                                                   const BodyQuerySettings& settings = {},
                                                   const BatchSettings& batch = {});
 
-/// World::find_touching() for each pose.
+/// Calls World::find_touching() for each pose.
 std::vector<std::vector<BodyId>> find_touching(const World& world, const ShapeInPoses& shape,
                                                const BodyQuerySettings& settings = {},
                                                const BatchSettings& batch = {});
 
-/// World::find_within() for each pose.
+/// Calls World::find_within() for each pose.
 std::vector<std::vector<BodyDistance>> find_within(const World& world, const ShapeInPoses& shape,
                                                    double clearance,
                                                    const BodyQuerySettings& settings = {},
                                                    const BatchSettings& batch = {});
 
-/// World::find_closest() for each pose.
+/// Calls World::find_closest() for each pose.
 std::vector<std::optional<BodyDistance>> find_closest(const World& world, const ShapeInPoses& shape,
                                                       const BodyQuerySettings& settings = {},
                                                       const BatchSettings& batch = {});
 
-/// World::cast() for each motion.
+/// Calls World::cast() for each motion.
 std::vector<std::optional<BodyCast>> cast(const World& world, const ShapeInMotions& shape,
                                           const RigidContactSettings& contact = {},
                                           const BodyQuerySettings& settings = {},
                                           const BatchSettings& batch = {});
 
-/// World::cast_all() for each motion.
+/// Calls World::cast_all() for each motion.
 std::vector<std::vector<BodyCast>> cast_all(const World& world, const ShapeInMotions& shape,
                                             const RigidContactSettings& contact = {},
                                             const BodyQuerySettings& settings = {},

@@ -15,33 +15,35 @@ namespace graze {
 
 class World;
 
-/// A world in a pose, to be asked about by another one: a robot's in the frame of its cell's. It
-/// refers to the world, which must outlive it.
+/// A world in a pose, for questions that another world is asked, such as a robot's world in the
+/// frame of its cell's world. It refers to the world, which must outlive it.
 struct PlacedWorldView {
   const World& world;            ///< must outlive this
-  Pose pose = Pose::Identity();  ///< takes points of this world to the one that is asked
+  Pose pose = Pose::Identity();  ///< the pose that takes points of this world to the one that is
+                                 ///< asked
 };
 
-/// Which pairs of bodies a query is about.
+/// Says which pairs of bodies a query is about.
 struct WorldPairSettings {
-  bool has_filters = true;        ///< only pairs that may meet as the query says; else all
-  std::optional<Role> role = {};  ///< only pairs of solid bodies, or of sensors; else all
+  bool has_filters = true;        ///< if true, only pairs that may meet as the query says; else all
+  std::optional<Role> role = {};  ///< if set, only pairs of solid bodies, or only pairs of sensors;
+                                  ///< else all
 };
 
 /// A body of the world that was asked, and one of the other.
 struct WorldBodyPair {
-  BodyId a;  ///< of the world that was asked
-  BodyId b;  ///< of the other one
+  BodyId a;  ///< the body of the world that was asked
+  BodyId b;  ///< the body of the other one
   friend auto operator<=>(const WorldBodyPair&, const WorldBodyPair&) = default;
 };
 
-/// How far two bodies are apart.
+/// The distance of two bodies.
 struct BodyPairDistance {
-  BodyId a;                  ///< of the world that was asked
-  BodyId b;                  ///< of the other one, where there are two worlds
-  ShapeDistance distance;    ///< from A to B, in the frame of the world that was asked
-  std::uint32_t part_a = 0;  ///< where A is a Compound: its nearest part, of equals the first
-  std::uint32_t part_b = 0;  ///< where B is one, likewise
+  BodyId a;                  ///< the body of the world that was asked
+  BodyId b;                  ///< the body of the other world, or another body of the same one
+  ShapeDistance distance;    ///< the distance from A to B, in the frame of the world that was asked
+  std::uint32_t part_a = 0;  ///< if A is a Compound, its nearest part, the first of equals
+  std::uint32_t part_b = 0;  ///< if B is a Compound, its nearest part, the first of equals
 
   bool operator==(const BodyPairDistance&) const = default;
 };

@@ -14,11 +14,11 @@ double sum_of_sizes(const double* v) {
 
 }  // namespace
 
-// A point x of the body goes from R x + t to S x + u: by at most |u - t| + |S - R| |x|, with the
-// Frobenius norm for |S - R|. Both sums, their roots and their product are off by less than 16
-// roundings. Placing a point, by law 1 or in any other formula of the narrow phase, is off by less
-// than 0x10p-53 of |t| + |x| at each end; and that term is above what squares lose to underflow,
-// as no bounding radius is less than kSmallestLength.
+// A point x of the body goes from R x + t to S x + u. It moves by at most |u - t| + |S - R| |x|,
+// with the Frobenius norm for |S - R|. Both sums, their roots and their product are off by less
+// than 16 roundings. Placing a point, by law 1 or in any other formula of the narrow phase, is off
+// by less than 0x10p-53 of |t| + |x| at each end; and that term is above what squares lose to
+// underflow, as no bounding radius is less than kSmallestLength.
 double motion_bound(const Pose& from, const Pose& to, double bounding_radius) {
   if (bounding_radius == kInfinity) return kInfinity;
   const double* r = from.data();  // column-major 4x4
@@ -36,9 +36,9 @@ double motion_bound(const Pose& from, const Pose& to, double bounding_radius) {
   return (std::sqrt(shift) + std::sqrt(turn) * bounding_radius) * (1 + 0x20p-53) + rounding;
 }
 
-// A body that turns the short way, by an angle of at most pi, has turned by chords that grow to the
-// last, which the Frobenius norm is no less than. at(1) differs from `to` by what between() says,
-// and poses between by what they round.
+// While a body turns the short way, by an angle of at most pi, the chord from its place to its
+// first place grows to the last one, which the Frobenius norm is no less than. at(1) differs from
+// `to` by what between() says, and the poses in between are off by their rounding.
 double travel_bound(const Pose& from, const Pose& to, double bounding_radius) {
   if (bounding_radius == kInfinity) return kInfinity;
   const double lengths =
@@ -65,7 +65,8 @@ bool KnownGap::wants_gap(const GapCost& cost) {
   return true;
 }
 
-// Motions since now are the paths then less the paths now, each path rounded up at every step.
+// The motions since now are the later paths minus the paths now, each path rounded up at every
+// step.
 void KnownGap::set_gap(double gap, double path_a, double path_b) {
   limit_ = next_down(next_down(path_a + path_b) + gap);
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-// Contacts of pairs in one list. Private to engine/world.
+// Keeps the contacts of pairs in one list. Private to engine/world.
 
 #include <graze/engine/world/world.h>
 
@@ -10,15 +10,16 @@
 
 namespace graze {
 
-/// Contacts of pairs, kept from update to update and written over: of a manifold only the contacts
-/// that there are, mostly one or two of four.
+/// A list of the contacts of pairs. Its memory is kept from update to update and written over: of a
+/// manifold only the contacts in use, mostly one or two of four, are written.
 class ContactList {
  public:
   void clear() {
     count_ = further_ = 0;
     is_ascending_ = true;
   }
-  /// Those of the parts of a pair come one after the other, in their order.
+  /// Adds the contacts of a pair. Those of the parts of one pair come one after the other, in their
+  /// order.
   void add(const BodyPair& pair, const Manifold& manifold) {
     if (count_ == list_.size()) list_.emplace_back();
     if (count_ != 0 && !(last_ < pair)) note_no_less(pair);
@@ -27,8 +28,8 @@ class ContactList {
     if (count_ < list_.size()) fetch(list_[count_]);
   }
 
-  /// Counts the contacts of another list in, behind all that are there. Returns the first of the
-  /// places that put() has to write them to.
+  /// Makes room for the contacts of another list behind all that are there. Returns the first of
+  /// the places that put() has to write them to.
   std::size_t make_room_for(const ContactList& part) {
     const std::size_t place = count_;
     if (part.count_ == 0) return place;
@@ -39,21 +40,22 @@ class ContactList {
     if (list_.size() < count_) list_.resize(count_);
     return place;
   }
-  /// Room for as many as another list has, which put() has to write in ascending order.
+  /// Makes room for as many contacts as another list has, which put() has to write in ascending
+  /// order.
   void make_room_for_all(const ContactList& other) {
     count_ = other.count_;
     further_ = other.further_;
     is_ascending_ = true;
     if (list_.size() < count_) list_.resize(count_);
   }
-  /// Several threads may write to different places at once.
+  /// Writes contacts to a place. Several threads may write to different places at once.
   void put(std::size_t place, const BodyContact& contact) {
     write(contact.pair, contact.manifold, list_[place]);
   }
 
   std::span<const BodyContact> all() const { return {list_.data(), count_}; }
   bool is_ascending() const { return is_ascending_; }
-  /// Of how many pairs they are: of two parts each, where there are compounds.
+  /// Returns of how many pairs of bodies the contacts are: a pair with a compound may have several.
   std::size_t pair_count() const { return count_ - further_; }
 
  private:
@@ -78,7 +80,7 @@ class ContactList {
 
   std::vector<BodyContact> list_;
   std::size_t count_ = 0;
-  std::size_t further_ = 0;  ///< those of a pair beside its first
+  std::size_t further_ = 0;  ///< how many contacts are of a pair that is listed before them
   BodyPair last_;
   bool is_ascending_ = true;
 };

@@ -43,7 +43,8 @@ void Islands::remove(std::uint32_t body) {
   nodes_[body].island = kNone;
 }
 
-/// The half, as `a` sees it, of their touch. Looks through the touches of the one that has fewer.
+/// Returns the half of their edge that `a` sees. Looks through the edges of the body that has
+/// fewer.
 std::uint32_t Islands::find(std::uint32_t a, std::uint32_t b) const {
   const bool is_of_a = nodes_[a].degree <= nodes_[b].degree;
   const std::uint32_t other = is_of_a ? b : a;
@@ -91,7 +92,7 @@ void Islands::merge(std::uint32_t a, std::uint32_t b) {
     nodes_[body].island = a;
     body = nodes_[body].next;
   } while (body != of_b);
-  // Two rings become one where two of their links change places.
+  // Two rings become one when two of their links change places.
   const std::uint32_t last_a = nodes_[of_a].previous, last_b = nodes_[of_b].previous;
   nodes_[last_a].next = of_b, nodes_[of_b].previous = last_a;
   nodes_[last_b].next = of_a, nodes_[of_a].previous = last_b;
@@ -117,7 +118,7 @@ void Islands::see(Side& side, std::uint32_t body) {
   queued(side, side.seen++) = body;
 }
 
-/// Sees what touches the next body of a side. Whether the other side has seen some of it.
+/// Sees the bodies that touch the next body of a side. True if the other side has seen one of them.
 bool Islands::meets_other(Side& side) {
   const std::uint32_t body = queued(side, side.asked++);
   for (std::uint32_t half = nodes_[body].touches; half != kNone; half = halves_[half].next) {
@@ -146,7 +147,7 @@ void Islands::split_if_apart(std::uint32_t a, std::uint32_t b) {
   }
 }
 
-/// All that a side has seen becomes an island of its own. Another body stays.
+/// Makes an island of all bodies that a side has seen. The body `stays` keeps the old island.
 void Islands::split_off(const Side& side, std::uint32_t stays) {
   Island& rest = islands_[nodes_[stays].island];
   rest.first = stays;

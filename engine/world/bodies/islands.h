@@ -1,6 +1,6 @@
 #pragma once
 
-// Which bodies hang together by touching. Private to engine/world.
+// Keeps track of which bodies are connected by touching. Private to engine/world.
 
 #include <cstddef>
 #include <cstdint>
@@ -8,63 +8,66 @@
 
 namespace graze {
 
-/// What keeping islands up took.
+/// Counts of the work of keeping islands up to date.
 struct IslandWork {
-  std::uint64_t merged = 0;  ///< two islands became one
-  std::uint64_t split = 0;   ///< one became two
-  std::uint64_t steps = 0;   ///< bodies relabelled, and touches looked at by searches
+  std::uint64_t merged = 0;  ///< how often two islands became one
+  std::uint64_t split = 0;   ///< how often one island became two
+  std::uint64_t steps = 0;   ///< bodies relabelled, and edges looked at by searches
 };
 
-/// Bodies that touch, and the connected components of that graph. Where two islands meet, the
-/// smaller one is relabelled. Where a touch ends, two searches go from both of its ends in turns:
-/// either they meet, or one has seen its whole side, which then becomes an island of its own. So a
-/// split costs no more than twice what the smaller side does; where the two still hang together it
-/// costs as much as the shortest ways around, which in a pile are short, and in a ring are the
-/// ring.
+/// The graph of bodies whose edges are pairs that touch, and its connected components, the islands.
+/// Where two islands meet, the smaller one is relabelled. Where an edge is removed, two searches go
+/// from both of its ends in turns: either they meet, or one has seen its whole side, which then
+/// becomes an island of its own. So a split costs no more than twice a search of the smaller side.
+/// If the two bodies are still connected, it costs as much as the shortest ways around, which in a
+/// pile are short, and in a ring are the whole ring.
 class Islands {
  public:
-  /// Memory for bodies with indices below `bodies`, and for so many more touches: after that
-  /// nothing throws but list(). What throws has changed nothing.
+  /// Makes room for bodies with indices below `bodies`, and for so many more edges: after that only
+  /// list() may throw. If this throws it has changed nothing.
   void make_room(std::size_t bodies, std::size_t more_touches);
 
   bool has(std::uint32_t body) const {
     return body < nodes_.size() && nodes_[body].island != kNone;
   }
-  /// The body, which was not there, is an island of its own.
+  /// Adds a body, which was not there, as an island of its own.
   void add(std::uint32_t body);
-  /// Takes the body out, with all its touches.
+  /// Removes the body with all its edges.
   void remove(std::uint32_t body);
-  /// Two bodies that are there touch; to say so again changes nothing.
+  /// Adds an edge between two bodies that are there; if there is one already, nothing changes.
   void connect(std::uint32_t a, std::uint32_t b);
-  /// They do not, or not any more.
+  /// Removes the edge between two bodies, if there is one.
   void disconnect(std::uint32_t a, std::uint32_t b);
 
-  /// Appends the bodies of a body's island, in an order of no meaning. O(island).
+  /// Appends the bodies of a body's island, in no particular order. It costs O(island).
   void list(std::uint32_t body, std::vector<std::uint32_t>& into) const;
 
-  /// What was done since the last call.
+  /// Returns the work since the last call.
   IslandWork take_work();
 
  private:
   static constexpr std::uint32_t kNone = 0xffffffff;
 
   struct Node {
-    std::uint32_t touches = kNone;  ///< the first of a list of touches
+    std::uint32_t touches = kNone;  ///< the first half of the list of the body's edges
     std::uint32_t degree = 0;
     std::uint32_t island = kNone;
-    std::uint32_t next = kNone, previous = kNone;  ///< the ring of the bodies of its island
-    std::uint32_t stamp = 0;                       ///< which search has seen it, and from which end
+    std::uint32_t next = kNone, previous = kNone;  ///< links of the ring of the bodies of its
+                                                   ///< island
+    std::uint32_t stamp = 0;                       ///< the search that has seen the body, and from
+                                                   ///< which end
   };
-  /// A touch as one of its two bodies sees it; the other half is beside it.
+  /// An edge as one of its two bodies sees it. The other half is beside it.
   struct Half {
     std::uint32_t other;
     std::uint32_t next, previous;
   };
   struct Island {
-    std::uint32_t first;  ///< any of its bodies; of a free one, the next that is free
+    std::uint32_t first;  ///< any body of the island; in a free entry, the next free entry
     std::uint32_t size;
   };
-  /// The bodies that a search has seen from one end: a part of queue_, from one of its ends.
+  /// The bodies that a search has seen from one end of an edge. They are a part of queue_, from one
+  /// of its ends.
   struct Side {
     std::uint32_t stamp;
     std::uint32_t seen = 0, asked = 0;
@@ -84,13 +87,13 @@ class Islands {
   void split_if_apart(std::uint32_t a, std::uint32_t b);
   void split_off(const Side& side, std::uint32_t stays);
 
-  std::vector<Node> nodes_;      ///< by body
-  std::vector<Island> islands_;  ///< as many as bodies
+  std::vector<Node> nodes_;      ///< the nodes by index of bodies
+  std::vector<Island> islands_;  ///< as many entries as there are bodies
   std::uint32_t free_island_ = kNone;
   std::vector<Half> halves_;
-  std::uint32_t free_touch_ = kNone;  ///< the first half of a free touch, which names the next
+  std::uint32_t free_touch_ = kNone;  ///< the first half of a free edge, which names the next
   std::size_t free_touches_ = 0;
-  std::vector<std::uint32_t> queue_;  ///< as many as bodies
+  std::vector<std::uint32_t> queue_;  ///< as many entries as there are bodies
   std::uint32_t last_stamp_ = 0;
   IslandWork work_;
 };

@@ -1,6 +1,7 @@
 #pragma once
 
-// Which bodies moved since the last update, and from where. Private to engine/world.
+// Keeps track of the bodies that moved since the last update, and from where. Private to
+// engine/world.
 
 #include <graze/engine/mesh/rigid_motion.h>
 #include <graze/engine/world/bodies/pair_news.h>
@@ -15,24 +16,26 @@ namespace graze {
 /// A body that moved.
 struct Mover {
   std::uint32_t body;
-  Pose before;    ///< at the last update
-  double travel;  ///< metres: since then no point was further from where it is now
-  std::optional<RigidMotion> motion = {};  ///< how it came, if that is not RigidMotion::between()
-  bool is_listed = false;                  ///< for the search for pairs
+  Pose before;    ///< the pose at the last update
+  double travel;  ///< metres: since the last update no point was further than this from where it is
+                  ///< now
+  std::optional<RigidMotion> motion = {};  ///< the motion that it made, if that is not
+                                           ///< RigidMotion::between()
+  bool is_listed = false;                  ///< whether the search for pairs lists it
 };
 
-/// All of them, noted only while a body of the world is swept: what others did before the first one
-/// was counts as having been done before the last update.
+/// All bodies that moved. They are noted only while a body of the world is swept: motions from
+/// before the first body was swept count as made before the last update.
 class Movers {
  public:
   bool are_noted() const { return swept_bodies_ != 0; }
-  /// One more body is swept, or one less.
+  /// Count the bodies that are swept.
   void add_swept() { ++swept_bodies_; }
   void remove_swept() {
     if (--swept_bodies_ == 0) clear();
   }
 
-  /// After that note() of so many bodies, of a world that has had so many, throws nothing.
+  /// Makes room, so that note() of `more` bodies, of a world with `bodies` indices, throws nothing.
   void make_room(std::size_t more, std::size_t bodies) {
     if (!are_noted()) return;
     if (place_.size() < bodies) place_.resize(bodies, kNowhere);
@@ -46,13 +49,13 @@ class Movers {
     return const_cast<Mover*>(static_cast<const Movers&>(*this).find(body));
   }
 
-  /// The body, which nobody has noted yet, moves from there.
+  /// Notes that a body, which is not noted yet, moves from a pose.
   Mover& note(std::uint32_t body, const Pose& before) {
     place_[body] = static_cast<std::uint32_t>(list_.size());
     return list_.emplace_back(Mover{body, before, 0});
   }
 
-  /// As if it had not moved.
+  /// Removes the note of a body, as if it had not moved.
   void forget(std::uint32_t body) {
     Mover* mover = find(body);
     if (mover == nullptr) return;
@@ -75,7 +78,7 @@ class Movers {
 
   std::size_t swept_bodies_ = 0;
   std::vector<Mover> list_;
-  std::vector<std::uint32_t> place_;  ///< in the list, by body
+  std::vector<std::uint32_t> place_;  ///< the place in the list of each body, by index
 };
 
 }  // namespace graze

@@ -10,18 +10,20 @@
 
 namespace graze {
 
-/// The largest of all distances, and what is beyond it: the distance to a body that is not there.
+/// The largest of all distances, and a number beyond it: the distance to a body that does not
+/// exist.
 inline constexpr double kLargestDistance = std::numeric_limits<double>::max();
 inline constexpr double kBeyondAll = std::numeric_limits<double>::infinity();
 
-/// A box around a shape, and its pose.
+/// A box around a shape, and the pose of the shape.
 struct PosedBox {
   const Aabb& box;
   const Pose& pose;
 };
 
-/// No shape in one box is nearer to one in the other, by distance(): that knows distances to 2^-34
-/// of what coordinates add up to, those of the poses included.
+/// Returns a length, metres, such that no shape in one box is nearer to one in the other than that,
+/// by distance(), which knows distances to 2^-34 of the sum of all coordinates, those of the poses
+/// included.
 inline double least_distance(const PosedBox& a, const PosedBox& b) {
   double squares = 0;
   double sizes = 0;
@@ -37,17 +39,17 @@ inline double least_distance(const PosedBox& a, const PosedBox& b) {
   return std::sqrt(squares) * (1 - 0x1p-20) - 0x1p-28 * sizes;
 }
 
-/// A body, and what it is surely as far away as, metres.
+/// A body, and a length, metres, such that it is surely as far away as that.
 struct BodyAway {
   double least;
   std::uint32_t index;
 };
 
 /// Calls `ask(index)` for bodies that are asked for, each at most once, until none that is left can
-/// be nearer to a box than what `ask` says is the least distance so far, `least` before it was ever
-/// asked. Looks in boxes that grow until the nearest body is nearer than all outside can be; which
-/// it is in a box that is grown by its distance. Of those in a box it begins with the nearest
-/// boxes.
+/// be nearer to a box than the least distance so far, which `ask` returns and which begins as
+/// `least`. Searches in boxes that grow until the nearest body is nearer than all outside can be;
+/// this is so in a box that is grown by the body's distance. In each box the bodies with the
+/// nearest boxes come first.
 template <typename Ask>
 void World::State::for_nearest(const PosedBox& own, const BodyQuerySettings& query, double least,
                                const Ask& ask) const {

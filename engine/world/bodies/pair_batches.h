@@ -1,6 +1,6 @@
 #pragma once
 
-// Questions about pairs that threads share. Private to engine/world.
+// Shares questions about pairs among threads. Private to engine/world.
 
 #include <graze/bvh/box_set/store/workers.h>
 #include <graze/bvh/floating_point/standard_arithmetic.h>
@@ -19,36 +19,36 @@
 
 namespace graze {
 
-/// What a pair was found to be, before the world takes note of it.
+/// The answer about a pair, before the world takes note of it.
 struct PairAnswer {
   enum class Kind : std::uint8_t {
-    Asleep,     ///< not tested, as neither body is awake
+    Asleep,     ///< the pair was not tested, as neither body is awake
     Apart,      ///< tested
-    Near,       ///< tested: within their margin, and not touching
+    Near,       ///< the bodies are within their margin, and do not touch
     Touching,   ///< tested
-    ForCaller,  ///< only the caller's thread may test it
+    ForCaller,  ///< only the caller's thread may test the pair
   };
 
   KnownGap known_gap = {};
   Kind kind = Kind::Asleep;
-  bool has_measured = false;  ///< whether the gap was measured to know that
+  bool has_measured = false;  ///< whether the gap was measured to know `known_gap`
 
   bool is_near() const { return kind == Kind::Near || kind == Kind::Touching; }
 };
 
-/// Pairs that one thread asks, one after the other, and what there is to tell of them.
+/// Pairs that one thread asks, one after the other, and the news of them.
 struct alignas(64) PairBatch {
-  std::uint32_t first = 0;  ///< its first pair
+  std::uint32_t first = 0;  ///< the first pair of the batch
   std::uint32_t end = 0;
-  bool has_mark = false;  ///< whether a body has Bodies::Changes::has_unbuilt_tree
+  bool has_mark = false;  ///< whether some body has Bodies::Changes::has_unbuilt_tree
   NewsPlace place = {};
   std::size_t place_of_contacts = 0;
   PairNews news;
 };
 
-/// Pairs in batches, which threads take in turn. Batches do not depend on how many threads there
-/// are. What is asked changes nothing: answers wait until all are there, so that the world can take
-/// note of them in the order of the pairs. All memory is kept from update to update.
+/// Pairs in batches, which threads take in turn. The batches do not depend on how many threads
+/// there are. Questions change nothing: answers wait until all are there, so that the world can
+/// take note of them in the order of the pairs. All memory is kept from update to update.
 class PairBatches {
  public:
   void clear() {
@@ -59,8 +59,8 @@ class PairBatches {
     has_pairs_for_caller_ = false;
   }
 
-  /// One more pair, that takes as long as so many tests of two boxes, about; 0: only the caller's
-  /// thread may test it.
+  /// Adds a pair, whose test takes about as long as `cost` tests of two boxes; if that is 0, only
+  /// the caller's thread may test it.
   void add(std::uint32_t cost) {
     if (open_cost_ >= kBatchCost) begin_batch();
     ++pairs_;
@@ -69,7 +69,7 @@ class PairBatches {
     has_pairs_for_caller_ |= cost == 0;
   }
 
-  /// Whether the pairs added take long enough for more than one thread.
+  /// True if the pairs added take long enough for more than one thread.
   bool are_worth_sharing() const { return cost_ >= kWorthSharing; }
 
   /// Sets the answers of all pairs to `ask(i, batch)`, which several threads call at once, and
@@ -89,21 +89,21 @@ class PairBatches {
   std::span<PairBatch> batches() { return {batches_.data(), count_}; }
   const PairAnswer& answer(std::uint32_t pair) const { return answers_[pair]; }
 
-  /// Whether all pairs have been asked.
+  /// True if all pairs have been asked.
   bool are_all_answered() const {
     return !has_pairs_for_caller_ && failed_.load(std::memory_order_relaxed) == kNone;
   }
 
-  /// Throws what the question about the pair threw, if it is the first that did.
+  /// Throws the exception of the question about the pair, if that is the first that threw.
   void check(std::uint32_t pair) {
     if (pair != failed_.load(std::memory_order_relaxed)) return;
     std::rethrow_exception(std::exchange(failure_, nullptr));
   }
 
-  /// Makes room for the pairs that all batches tell of, behind those that are there. What throws
-  /// leaves those that began and ended as they were.
+  /// Makes room in `all` for the news of all batches, behind the news that are there. If this
+  /// throws, the pairs listed as begun and ended are still the same.
   void make_room_in(PairNews& all);
-  /// Likewise for the contacts.
+  /// Makes room in `all` for the contacts of all batches.
   void make_room_in(ContactList& all);
 
  private:
@@ -114,8 +114,8 @@ class PairBatches {
   void begin_asking();
   void note_failure(std::uint32_t pair);
 
-  /// Takes batches until there are none, or only such as follow a pair that threw. They are taken
-  /// in ascending order: those before it are asked to their end.
+  /// Takes batches until none is left, or only batches after a pair that threw. Batches are taken
+  /// in ascending order, so that those before that pair are asked to their end.
   template <typename Ask>
   void ask_in_turn(const Ask& ask) {
     for (;;) {
@@ -141,22 +141,23 @@ class PairBatches {
     }
   }
 
-  std::vector<PairBatch> batches_;  ///< the first `count_`
+  std::vector<PairBatch> batches_;  ///< the first `count_` are in use
   std::size_t count_ = 0;
   std::uint32_t pairs_ = 0;
-  std::uint32_t open_cost_ = kBatchCost;  ///< of the last batch
-  std::uint64_t cost_ = 0;                ///< of all
+  std::uint32_t open_cost_ = kBatchCost;  ///< the cost of the last batch
+  std::uint64_t cost_ = 0;                ///< the cost of all pairs
   bool has_pairs_for_caller_ = false;
   std::vector<PairAnswer> answers_;
-  std::atomic<std::size_t> next_ = 0;          ///< the batch that nobody has taken yet
+  std::atomic<std::size_t> next_ = 0;          ///< the next batch that no thread has taken yet
   std::atomic<std::uint32_t> failed_ = kNone;  ///< the first pair whose question threw
   std::mutex failing_;
   std::exception_ptr failure_;
 };
 
-/// Writes the pairs that a batch tells of to their place in all news, in which there is room.
+/// Writes the pairs of a batch's news to their place in all news, in which there is room.
 void put_pairs(const PairBatch& batch, PairNews& all) noexcept;
-/// Likewise its contacts, of which some may need memory of their own.
+/// Writes the contacts of a batch to their place in the list of all, where some may need memory of
+/// their own.
 void put_contacts(const PairBatch& batch, ContactList& all);
 
 }  // namespace graze

@@ -1,5 +1,5 @@
-// Which pairs in which something changed touch. What a pair is asked changes nothing, so that
-// threads can ask; the world takes note of the answers in the order of the pairs.
+// Tests the pairs in which something changed. The questions change nothing, so that several threads
+// can ask them; the world takes note of the answers in the order of the pairs.
 
 #include <graze/engine/world/bodies/world_state.h>
 #include <graze/engine/world/shapes/quick_gap.h>
@@ -13,10 +13,10 @@
 namespace graze {
 namespace {
 
-/// So many pairs ahead of a test its bodies are fetched.
+/// How many pairs ahead of a test its bodies are fetched.
 constexpr std::size_t kAhead = 4;
 
-/// Of the list of candidates, that a thread goes through in one go.
+/// The length of the part of the list of candidates that a thread goes through in one go.
 constexpr std::size_t kPartOfList = 8192;
 
 GapCost cost_of_gap(const BodyShape& a, const BodyShape& b) {
@@ -26,7 +26,7 @@ GapCost cost_of_gap(const BodyShape& a, const BodyShape& b) {
   return is_quick ? kQuickGap : kMeasuredGap;
 }
 
-/// What a test takes, as PairBatches counts.
+/// Returns the cost of a test, as PairBatches counts it.
 std::uint32_t cost_of_test(const Bodies::Changes& a, const Bodies::Changes& b) {
   constexpr std::uint32_t kOfMeshes = 16, kWithMesh = 4, kOther = 1;
   if (a.is_for_caller || b.is_for_caller) return 0;
@@ -36,7 +36,8 @@ std::uint32_t cost_of_test(const Bodies::Changes& a, const Bodies::Changes& b) {
 
 }  // namespace
 
-/// For many changed bodies: goes through all pairs, which costs less than asking for partners.
+/// Tests all pairs of changed bodies. If many have changed it goes through all pairs, which costs
+/// less than searching for partners.
 void World::State::test_changed() {
   constexpr std::size_t kMany = 8;
   if (std::max(candidates.list().size(), all.bodies.size()) > kMany * changed.size()) {
@@ -67,8 +68,8 @@ void World::State::list_due_partners() {
   }
 }
 
-/// What is known of pairs may lie anywhere in memory: each step of the lookup prefetches for the
-/// next.
+/// Searches the pairs of some changed bodies. The data of pairs may lie anywhere in memory: each
+/// step of the lookup prefetches for the next.
 void World::State::search_partners(std::span<const std::uint32_t> bodies, PartnerSearch& search) {
   search.asked.clear(), search.found.clear(), search.due.clear();
   for (const std::uint32_t index : bodies) {
@@ -114,9 +115,9 @@ bool World::State::is_due(BoxPair pair) const {
   return all.changes[pair.a].has_changed || all.changes[pair.b].has_changed;
 }
 
-/// Lists in `order` the pairs that no known gap keeps apart, ascending by their bodies, so that
-/// what is found needs no sorting: a counting sort by the first body, then the few of each by the
-/// second.
+/// Lists in `order` the pairs that no known gap keeps apart, ascending by their bodies, so that the
+/// results need no sorting. It is a counting sort by the first body; then the few pairs of each
+/// body are sorted by the second.
 void World::State::list_due_pairs() {
   const std::span<const BoxPair> list = candidates.list();
   const std::size_t parts = (list.size() + kPartOfList - 1) / kPartOfList;
@@ -150,7 +151,7 @@ void World::State::list_due_pairs() {
   });
 }
 
-/// Of the pairs in one part of the list, those that are due, at the beginning of its part of `due`.
+/// Lists the due pairs of one part of the list, at the beginning of its part of `due`.
 void World::State::list_due_part(std::size_t part) {
   const std::span<const BoxPair> list = candidates.list();
   const std::size_t end = std::min((part + 1) * kPartOfList, list.size());
@@ -180,7 +181,7 @@ void World::State::test_pairs_at_rest() {
   test_in_order(PairQuestion::AtRest, kAhead);
 }
 
-/// Asks all pairs in `order`, and takes note of what they say.
+/// Asks all pairs in `order`, and takes note of the answers.
 void World::State::test_in_order(PairQuestion question, std::size_t ahead) {
   if (threads > 1 && are_worth_sharing()) return test_in_batches(question);
   for (std::size_t i = 0; i < order.size(); ++i) {
@@ -197,7 +198,7 @@ void World::State::fetch_ahead(std::size_t i, std::size_t ahead) const {
   if (i + ahead < order.size()) fetch(candidates.list()[order[i + ahead]]);
 }
 
-/// Puts the pairs into batches. Whether these take long enough for more than one thread.
+/// Puts the pairs into batches. True if these take long enough for more than one thread.
 bool World::State::are_worth_sharing() {
   batches.clear();
   for (const std::uint32_t at : order) {
@@ -207,7 +208,7 @@ bool World::State::are_worth_sharing() {
   return batches.are_worth_sharing();
 }
 
-/// The same by all threads.
+/// Asks the pairs in `order` on all threads, and takes note of the answers.
 void World::State::test_in_batches(PairQuestion question) {
   batches.ask_all(workers, threads, [&](std::uint32_t i, PairBatch& batch) -> PairAnswer {
     fetch_ahead(i, kAhead);
@@ -222,9 +223,9 @@ void World::State::test_in_batches(PairQuestion question) {
   batches.are_all_answered() ? note_answers_of_batches(question) : note_answers_in_turn(question);
 }
 
-/// Takes note of all answers, which threads share, too. Contacts are copied first, which may need
-/// memory: where it is short the world has taken note of none. After that only oneTBB may fail, and
-/// what it has left out is done by this thread.
+/// Takes note of all answers, on all threads, too. Contacts are copied first, which may need
+/// memory: if that fails the world has taken note of no answer. After that only oneTBB may fail,
+/// and this thread does what that left out.
 void World::State::note_answers_of_batches(PairQuestion question) {
   const std::span<PairBatch> list = batches.batches();
   constexpr std::size_t kTogether = 16;
@@ -286,7 +287,8 @@ void World::State::note_answers_in_turn(PairQuestion question) {
     put_contacts(batch, news.contacts);
 }
 
-/// What a pair says. Changes nothing: pairs may be asked at once, and in any order.
+/// Returns the answer about a pair. It changes nothing, so that pairs may be asked at once, and in
+/// any order.
 PairAnswer World::State::answer_of(std::uint32_t at, PairQuestion question,
                                    ContactList& into) const {
   using enum PairAnswer::Kind;
@@ -300,9 +302,9 @@ PairAnswer World::State::answer_of(std::uint32_t at, PairQuestion question,
   return answer;
 }
 
-/// What is left of a gap until a pair is within its margin or thickness, as distance() says: that
-/// is off by kTouchTolerance of the scale, which is at most 6 times the sizes and coordinates
-/// beside it, and 12 after a motion that is less than the gap.
+/// Returns what is left of a gap until a pair is within its margin or thickness by distance(). That
+/// is off by kTouchTolerance of the scale, which is at most 6 times the sum of the sizes and
+/// coordinates below, and 12 times after a motion that is less than the gap.
 static double lower_difference(double gap, double room, const Bodies::Body& a,
                                const Bodies::Body& b) {
   double size = gap + room;
@@ -314,7 +316,7 @@ static double lower_difference(double gap, double room, const Bodies::Body& a,
   return std::max((gap - room) - 16 * kTouchTolerance * size, 0.0);
 }
 
-/// Of a pair that was found apart. Returns whether its gap was measured.
+/// Measures the gap of a pair that was found apart, if that is worth it. True if it was measured.
 bool World::State::learn_gap(BoxPair pair, KnownGap& known) const {
   if (!settings.skip_apart) return false;
   const Bodies::Body& a = all.bodies[pair.a];
@@ -328,7 +330,7 @@ bool World::State::learn_gap(BoxPair pair, KnownGap& known) const {
   return true;
 }
 
-/// Adds what there is to tell of a pair and its answer. Changes nothing else.
+/// Adds the news of a pair and its answer. Changes nothing else.
 void World::State::tell(std::uint32_t at, PairQuestion question, const PairAnswer& answer,
                         PairNews& to) const {
   if (answer.kind == PairAnswer::Kind::Asleep) {
@@ -344,13 +346,13 @@ void World::State::tell(std::uint32_t at, PairQuestion question, const PairAnswe
   const bool is_near = answer.is_near() && all.margin(pair) > 0;
   const bool has_other_nearness = is_near != candidates.is_near(at);
   std::vector<BodyPair>& near = is_near ? to.begun_near : to.ended_near;
-  if (has_other_nearness) make_room_in(near, 1);  // or a pair could be told twice
+  if (has_other_nearness) make_room_in(near, 1);  // or a pair could be listed twice
   if (do_touch != candidates.touches(at))
     (do_touch ? to.begun : to.ended).push_back(all.id_pair(pair));
   if (has_other_nearness) near.push_back(all.id_pair(pair));
 }
 
-/// Takes note of the answer. Several threads may do so for several pairs.
+/// Takes note of the answer about a pair. Several threads may do so for different pairs at once.
 void World::State::note_answer(std::uint32_t at, PairQuestion question, const PairAnswer& answer) {
   if (answer.kind == PairAnswer::Kind::Asleep) return;
   if (question == PairQuestion::Changed) candidates.known_gap(at) = answer.known_gap;

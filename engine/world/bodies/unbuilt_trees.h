@@ -7,24 +7,26 @@ namespace graze {
 
 class Mesh;
 
-/// The meshes of a world's bodies of whose tree nothing has been built, as far as has been seen.
-/// A body that holds one carries a mark, so that nothing is looked up for any other; where a mesh
-/// is found to have a tree its entry goes, and the marks of other bodies that share it become void.
+/// The meshes of a world's bodies whose trees are not known to have been built. A body with such a
+/// mesh carries a mark, so that nothing is looked up for any other body. When a mesh is found to
+/// have a tree its entry is removed, and the marks of other bodies that share it become void.
 class UnbuiltTrees {
  public:
-  /// A body took the mesh, or nullptr where its shape is none: whether to mark it.
+  /// Notes that a body took the mesh, or nullptr if its shape is no mesh. True if the body is to be
+  /// marked.
   bool add(const Mesh* mesh);
 
-  /// A body with a mark let go of its mesh.
+  /// Notes that a body with a mark has dropped its mesh.
   void remove(const Mesh& mesh);
 
-  /// Whether a body with a mark keeps it.
+  /// True if a body with a mark keeps its mark.
   bool still_holds(const Mesh& mesh);
 
   std::uint64_t count() const { return bodies_.size(); }
 
  private:
-  /// How many bodies have a mesh. It goes by where its vertices are, of which each has its own.
+  /// The number of bodies with each mesh. The key is the address of the mesh's vertices, which no
+  /// other mesh shares.
   std::unordered_map<const void*, std::uint32_t> bodies_;
 };
 

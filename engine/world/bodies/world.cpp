@@ -20,12 +20,13 @@ std::uint64_t pair_key(std::uint32_t s, std::uint32_t t) {
   return static_cast<std::uint64_t>(s) << 32 | t;
 }
 
-/// The Shape that it stands for, or nullptr.
+/// Returns the Shape that a body's shape stands for, or nullptr.
 const Shape* known_shape(const BodyShape& shape, bool is_users) {
   return ask_shape(is_users, [&] { return shape.shape(); });
 }
 
-/// No more than oneTBB has now: it would warn of those that it cannot give.
+/// Returns how many threads to use: no more than oneTBB has now, which would warn of those that it
+/// cannot give.
 std::size_t threads_of(const WorldSettings& settings) {
   using tbb::global_control;
   return std::min(thread_count(settings.threads),
@@ -110,7 +111,7 @@ std::uint32_t World::State::make_room_for_one() {
   return index;
 }
 
-/// What throws has changed nothing.
+/// Adds the box of a body to the broad phase. If this throws it has changed nothing.
 void World::State::insert_box(std::uint32_t index, const Aabb& box) {
   Bodies::Body& body = all.bodies[index];
   make_room_in(body_of_box, 1);  // indices of boxes come one after the other
@@ -119,8 +120,8 @@ void World::State::insert_box(std::uint32_t index, const Aabb& box) {
   body_of_box[body.box] = index;
 }
 
-/// The mesh that the shape stands for, or nullptr. Asked once, before a body takes the shape, since
-/// a shape of a user's own may throw.
+/// Returns the mesh that the shape stands for, or nullptr. It is called once, before a body takes
+/// the shape, since a shape of a user's own may throw.
 const Mesh* World::State::prepared_mesh(const BodyShape& shape, bool is_users) const {
   const Shape* known = known_shape(shape, is_users);
   const Mesh* mesh = known == nullptr ? nullptr : known->as<Mesh>();
@@ -135,7 +136,7 @@ const Mesh* World::State::prepared_mesh(const BodyShape& shape, bool is_users) c
   return mesh;
 }
 
-/// Throws before it has changed anything.
+/// Gives a body a shape. If this throws it has changed nothing.
 void World::State::take_shape(std::uint32_t index, std::shared_ptr<const BodyShape> shape,
                               const Mesh* mesh) {
   const bool is_users = is_users_shape(*shape);

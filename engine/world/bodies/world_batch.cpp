@@ -13,9 +13,10 @@
 namespace graze {
 namespace {
 
-/// Elements of a part: enough that those that meet nothing outweigh its start.
+/// The most elements of a part. They are so many that even elements that meet nothing take longer
+/// than starting the part.
 constexpr std::size_t kMostInAPartOfWorldBatch = 64;
-/// Motions differ a thousandfold in what they take.
+/// The most motions of a part: their costs differ a thousandfold.
 constexpr std::size_t kMostMotionsInAPart = 8;
 
 bool allows_concurrent_calls(const BodyShape& shape) {
@@ -23,7 +24,8 @@ bool allows_concurrent_calls(const BodyShape& shape) {
   return !is_users || ask_shape(is_users, [&] { return shape.allows_concurrent_calls(); });
 }
 
-/// As it was asked for, with one thread where a body's shape asks for that. O(bodies).
+/// Returns the settings as they were given, but with one thread if the shape of a body asks for
+/// that. It costs O(bodies).
 BatchSettings settings_for(const World& world, const BatchSettings& batch) {
   check_threads(batch.threads);
   BatchSettings settings = batch;
@@ -35,9 +37,9 @@ BatchSettings settings_for(const World& world, const BatchSettings& batch) {
   return settings;
 }
 
-/// `ask(i)` for each element, in order. Where that throws, `check(i)` is called for each, to throw
-/// what names the first that is to blame: to look at all of them first would take a tenth of what
-/// short questions do, and nobody could stop it.
+/// Returns `ask(i)` for each element, in order. If that throws, it calls `check(i)` for each, which
+/// throws an error that names the first element that is to blame. Checking all elements first would
+/// take a tenth of the time of short questions, and could not be stopped.
 template <typename Answer, typename Ask, typename Check>
 std::vector<Answer> ask_world_for_all(const World& world, std::size_t count,
                                       std::size_t most_in_a_part, const BatchSettings& batch,
@@ -57,7 +59,7 @@ std::vector<Answer> ask_world_for_all(const World& world, std::size_t count,
   return answers;
 }
 
-/// `ask(ray)` for each.
+/// Returns `ask(ray)` for each ray.
 template <typename Answer, typename Ask>
 std::vector<Answer> ask_world_along(const World& world, std::span<const Ray> rays,
                                     const BatchSettings& batch, const Ask& ask) {
@@ -69,7 +71,7 @@ std::vector<Answer> ask_world_along(const World& world, std::span<const Ray> ray
       });
 }
 
-/// `ask(placed)` for the shape in each pose.
+/// Returns `ask(placed)` for the shape in each pose.
 template <typename Answer, typename Ask>
 std::vector<Answer> ask_world_in_poses(const World& world, const ShapeInPoses& placed,
                                        const BatchSettings& batch, const Ask& ask) {
@@ -84,7 +86,7 @@ std::vector<Answer> ask_world_in_poses(const World& world, const ShapeInPoses& p
       });
 }
 
-/// `ask(motion)` for each.
+/// Returns `ask(motion)` for each motion.
 template <typename Answer, typename Ask>
 std::vector<Answer> ask_world_in_motions(const World& world, const ShapeInMotions& moved,
                                          const RigidContactSettings& contact,

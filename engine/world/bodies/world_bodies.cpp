@@ -1,4 +1,4 @@
-// What a world knows of each body.
+// Returns what a world knows of each body.
 
 #include <graze/engine/world/bodies/world_state.h>
 

@@ -1,4 +1,4 @@
-// To which bodies a shape in rigid motion comes.
+// Finds the bodies to which a shape in rigid motion comes.
 
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/engine/mesh/rigid/motion_checks.h>
@@ -15,7 +15,7 @@
 
 namespace graze {
 
-/// A shape in motion, and which bodies it may come to. What it refers to outlives it.
+/// A shape in motion, and the bodies that it is asked about. It refers to settings that outlive it.
 struct CastQuery {
   MovingShape moving;
   const RigidContactSettings& contact;  ///< checked
@@ -36,10 +36,10 @@ double size_of(const Eigen::Vector3d& v) {
   return (std::abs(v.x()) + std::abs(v.y())) + std::abs(v.z());
 }
 
-/// When a shape that goes straight from a box, and does not turn, may be too near to a body in
-/// another: at other times first_contact() finds them free. Its tolerance is at least 2^-28 of all
-/// lengths, which the body's pose and box bound; twice that is room for what distances, boxes and
-/// times are off by.
+/// Returns when a shape that goes straight from a box, and does not turn, may be too near to a body
+/// in another box: at other times first_contact() finds them free. Its tolerance is at least 2^-28
+/// of all lengths, which the body's pose and box bound; twice that is room for the errors of
+/// distances, boxes and times.
 NearTimes times_near(const MovingShape& moving, const Aabb& start, const Aabb& box,
                      const Pose& pose, const RigidContactSettings& contact) {
   const double lengths =
@@ -62,7 +62,7 @@ bool is_earlier(const BodyCast& s, const BodyCast& t) {
 
 }  // namespace
 
-/// The part that the shape comes to first.
+/// Returns the part of a body that the shape comes to first.
 std::optional<BodyCast> World::State::cast_at_parts(std::uint32_t index,
                                                     const CastQuery& cast) const {
   const Bodies::Body& body = all.bodies[index];
@@ -80,7 +80,7 @@ std::optional<BodyCast> World::State::cast_at_parts(std::uint32_t index,
   return first;
 }
 
-/// The bodies that the shape may come to, each with a time before which it is not there.
+/// Returns the bodies that the shape may come to, each with a time before which it does not.
 std::vector<CastCandidate> World::State::find_cast_candidates(const CastQuery& cast) const {
   const RigidContactSettings& contact = cast.contact;
   const double near = contact.clearance + contact.tolerance;
@@ -99,11 +99,11 @@ std::vector<CastCandidate> World::State::find_cast_candidates(const CastQuery& c
   return found;
 }
 
-/// Nothing where it is free of the body.
+/// Returns when the shape comes to a body, or nothing if it is free of it.
 std::optional<BodyCast> World::State::cast_at(const CastCandidate& candidate,
                                               const CastQuery& cast) const {
   auto found = cast_at(candidate.index, cast);
-  // So that order is the same whoever is asked.
+  // So the order of answers is the same whichever bodies are asked.
   if (found && found->contact.is_out_of_budget)
     found->contact.low = std::max(found->contact.low, candidate.first);
   return found;
@@ -146,7 +146,7 @@ std::optional<BodyCast> World::cast(const Shape& shape, const RigidMotion& motio
   return bvh::in_standard_arithmetic([&]() -> std::optional<BodyCast> {
     const CastQuery query{{shape, motion, "cast"}, check_settings(contact), settings};
     std::vector<CastCandidate> bodies = state_->find_cast_candidates(query);
-    // Those that it may come to first can spare the others.
+    // The bodies that it may come to first can make asking the others needless.
     std::stable_sort(
         bodies.begin(), bodies.end(),
         [](const CastCandidate& s, const CastCandidate& t) { return s.first < t.first; });

@@ -1,4 +1,4 @@
-// Which bodies touch, and where they meet: found when asked for, from the poses alone.
+// Finds which bodies touch, and their contacts, when asked for, from the poses alone.
 
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/engine/world/bodies/world_state.h>
@@ -37,7 +37,7 @@ bool World::State::do_touch(BoxPair pair) const {
   return a.ask([&](const BodyShape& shape) { return shape.touches(a.pose, *b.shape, b.pose); });
 }
 
-/// Whether the two touch, are near by their margin or their sides, or are apart.
+/// Says whether the two touch, are near by their margin or their sides, or are apart.
 PairAnswer::Kind World::State::relation_of(BoxPair pair) const {
   using enum PairAnswer::Kind;
   if (all.has_parts(pair)) return relation_of_parts(pair);
@@ -52,7 +52,8 @@ PairAnswer::Kind World::State::relation_of(BoxPair pair) const {
   return contacts_within(pair, asked).empty() ? Apart : Near;
 }
 
-/// Of shapes of a user's own what they say of the margin: they know nothing of sides.
+/// Returns the contacts of a pair with a margin or sides. A shape of a user's own is asked about
+/// the margin, but knows no sides.
 Manifold World::State::contacts_within(BoxPair pair, const ManifoldSettings& asked) const {
   const Bodies::Body& a = all.bodies[pair.a];
   const Bodies::Body& b = all.bodies[pair.b];
@@ -68,8 +69,8 @@ Manifold World::State::contacts_within(BoxPair pair, const ManifoldSettings& ask
   return found;
 }
 
-/// relation_of() a pair with a margin or sides. If they touch or are near, their contacts are
-/// added.
+/// Returns relation_of() a pair with a margin or sides, and adds their contacts if they touch or
+/// are near.
 PairAnswer::Kind World::State::meet_within(BoxPair pair, const ManifoldSettings& asked,
                                            ContactList& into) const {
   const Bodies::Body& a = all.bodies[pair.a];
@@ -88,7 +89,7 @@ PairAnswer::Kind World::State::meet_within(BoxPair pair, const ManifoldSettings&
   return kind;
 }
 
-/// Whether they touch. If so, and if the settings ask for contacts, these are found as well.
+/// Says whether the two touch. If so, and if the settings ask for contacts, adds these as well.
 PairAnswer::Kind World::State::meet(BoxPair pair, ContactList& into) const {
   using enum PairAnswer::Kind;
   if (!settings.contacts || !all.are_solid(pair.a, pair.b)) return relation_of(pair);
@@ -100,7 +101,7 @@ PairAnswer::Kind World::State::meet(BoxPair pair, ContactList& into) const {
   const Shape *of_a = a.shape->shape(), *of_b = b.shape->shape();
   if (of_a != nullptr && of_b != nullptr &&
       pair_method(of_a->kind(), of_b->kind()) != PairMethod::Planes) {
-    // What meet() of two Shapes says, without memory of its own.
+    // The answer of meet() of two Shapes, without allocating memory.
     static thread_local Manifold found;
     contacts_in_boxes({*of_a, a.pose}, {*of_b, b.pose}, shape_work(), found);
     if (!found.empty()) into.add(all.id_pair(pair), found);

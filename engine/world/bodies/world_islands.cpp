@@ -1,4 +1,5 @@
-// Islands, kept up with what an update finds: which pairs begin and end, and which bodies come.
+// Keeps the islands up to date with what an update finds: which pairs begin and end, and which
+// bodies are new.
 
 #include <graze/engine/world/bodies/world_state.h>
 
@@ -7,7 +8,7 @@
 
 namespace graze {
 
-/// Lists the changed bodies that are to come into islands or to leave them.
+/// Lists the changed bodies that are to join islands or to leave them.
 void World::State::note_island_changes() {
   if (!settings.islands) return;
   island_changes.clear();
@@ -16,8 +17,8 @@ void World::State::note_island_changes() {
   }
 }
 
-/// Touches between bodies that join islands: those that began, and all others of the bodies that
-/// come, each once.
+/// Lists the new edges between bodies in islands, each once: the pairs that began to touch, and all
+/// pairs that touch of the bodies that join islands.
 void World::State::list_island_touches() {
   island_touches.clear();
   const auto add = [&](BoxPair pair) {
@@ -38,8 +39,8 @@ void World::State::list_island_touches() {
   }
 }
 
-/// To be called when all is known that began and ended. What throws is made up for by the next
-/// update, which finds again what is to be changed; to change it twice does no harm.
+/// Brings the islands up to date. To be called when all pairs that began and ended are known. If
+/// this throws, the next update finds the same changes again; making a change twice does no harm.
 void World::State::keep_up_islands() {
   if (!settings.islands) return;
   list_island_touches();
@@ -48,7 +49,7 @@ void World::State::keep_up_islands() {
   for (const std::uint32_t index : island_changes) {
     if (joins(index)) islands.add(index);
   }
-  // First what comes together, so that less is split and joined again.
+  // Edges are added first, so that fewer islands are split and joined again.
   for (const BoxPair& pair : island_touches)
     islands.connect(pair.a, pair.b);
   for (const BodyPair& pair : news.ended) {
@@ -58,7 +59,8 @@ void World::State::keep_up_islands() {
   for (const std::uint32_t index : island_changes) {
     if (!joins(index)) islands.remove(index);
   }
-  // Nobody has taken their indices yet: these rest until an update has listed what ended.
+  // Their indices are not in use again yet: they rest until an update has listed the pairs that
+  // ended.
   for (const std::uint32_t index : left_islands) {
     if (islands.has(index)) islands.remove(index);
   }
@@ -69,7 +71,7 @@ void World::State::keep_up_islands() {
   news.work.island_steps = work.steps;
 }
 
-/// Of a world that has just been restored, which is as an update left it.
+/// Builds the islands of a world that has just been restored, whose state is that after an update.
 void World::State::rebuild_islands() {
   if (!settings.islands) return;
   left_islands.clear();
@@ -87,7 +89,8 @@ void World::State::check_islands(const char* what) const {
                    ": the world keeps none, as WorldSettings::islands is false");
 }
 
-/// Ascending, without bodies that were removed since the last update.
+/// Returns the bodies of an island, ascending, without bodies that were removed since the last
+/// update.
 std::vector<BodyId> World::State::island_of(std::uint32_t index) const {
   std::vector<std::uint32_t> indices;
   islands.list(index, indices);

@@ -1,6 +1,7 @@
 #pragma once
 
-// Who is told of all that is done to a world: what keeps a recording. Private to engine/.
+// The interface of a journal, which is told of all changes of a world and keeps a recording.
+// Private to engine/.
 
 #include <graze/bvh/box_pair.h>
 #include <graze/engine/mesh/rigid_motion.h>
@@ -15,17 +16,17 @@ namespace graze {
 
 struct Bodies;
 
-/// All that a world is, for a journal that begins or begins anew: without changes that wait, unless
-/// it has not been updated yet.
+/// The whole state of a world, for a journal that begins or begins anew. No changes wait for an
+/// update, unless the world has not been updated yet.
 struct WorldContents {
   const WorldSettings& settings;
   const Bodies& all;
   std::span<const BoxPair> candidates;   ///< pairs of bodies, by index
-  std::span<const std::uint8_t> states;  ///< of each of these, as a snapshot has them
-  bool is_updated = true;                ///< no changes wait
+  std::span<const std::uint8_t> states;  ///< the state of each candidate, as in a snapshot
+  bool is_updated = true;                ///< true if no changes wait for an update
 };
 
-/// What was done to one body; what it is now, Bodies says.
+/// The kinds of changes of one body. Bodies has its state after the change.
 enum class BodyChange : std::uint8_t {
   Added,
   Removed,
@@ -40,33 +41,34 @@ enum class BodyChange : std::uint8_t {
   Wake
 };
 
-/// What was done to two.
+/// The kinds of changes of a pair of bodies.
 enum class PairChange : std::uint8_t {
   Excluded,
   Included,
-  Refused  ///< by the user's filter, or what else keeps the two from meeting, in an update
+  Refused  ///< in an update the user's filter, or something else, kept the two from meeting
 };
 
-/// Is told of changes once they have taken place, in their order, by the thread that makes them. A
-/// world without one pays a look at a pointer for each. None of this throws: who cannot keep what
-/// it is told says so elsewhere.
+/// A journal is told of changes after they have taken place, in their order, by the thread that
+/// makes them. A world without a journal tests one pointer for each change. None of these functions
+/// throws: a journal that cannot keep what it is told reports that elsewhere.
 class WorldJournal {
  public:
   virtual ~WorldJournal() = default;
 
-  /// Whether it still wants to be told.
+  /// True if the journal still wants to be told.
   virtual bool is_open() const noexcept = 0;
   virtual void note(BodyChange change, const Bodies& all, std::uint32_t body) noexcept = 0;
   virtual void note(PairChange change, std::uint32_t a, std::uint32_t b) noexcept = 0;
   virtual void note_moves(std::span<const BodyId> ids, std::span<const Pose> poses) noexcept = 0;
   virtual void note_motion(BodyId id, const RigidMotion& motion) noexcept = 0;
   virtual void note_pair_filter(bool is_set) noexcept = 0;
-  /// What an update said. `follows_failure`: the one before it did not come to its end.
+  /// Notes the results of an update. `follows_failure` is true if the update before it was not
+  /// completed.
   virtual void note_update(const WorldUpdate& update, bool follows_failure) noexcept = 0;
   virtual void note_restored(const WorldContents& contents) noexcept = 0;
 };
 
-/// Where a world has its journal, if it has one.
+/// The place for the journal of a world, if it has one.
 class JournalPlace {
  public:
   bool is_taken() const { return journal_ != nullptr; }
@@ -92,8 +94,9 @@ class JournalPlace {
 
 /// Access to a world's journal.
 struct WorldJournalAccess {
-  /// Throws InputError while another journal is open, or changes wait for an update: unless it will
-  /// be the first one, and no body was removed or moved on a way that is swept.
+  /// Attaches a journal. Throws InputError while another journal is open, or while changes wait for
+  /// an update, unless that will be the first update and no body was removed or moved on a way that
+  /// is swept.
   static void attach(World& world, std::shared_ptr<WorldJournal> journal);
   static WorldContents contents(const World& world);
 

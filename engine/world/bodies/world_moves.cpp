@@ -1,4 +1,4 @@
-// Bodies taken elsewhere.
+// Moves bodies.
 
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/bvh/value/checks.h>
@@ -15,8 +15,8 @@ void World::State::begin_move() {
   bounding_radii.clear();
 }
 
-/// Puts the body's box into the list of those that move, or throws. All that a move asks of a shape
-/// is asked here, before anything has moved.
+/// Adds the body's new box to the list of boxes to move, or throws. It asks all questions to a
+/// shape that a move needs, before anything has moved.
 void World::State::prepare_move(BodyId id, const Pose& pose, const char* what) {
   check_is_free(what);
   const Bodies::Body& mover = body(id, what);
@@ -51,8 +51,8 @@ void World::State::note_travel(std::uint32_t index, const Pose& to, double bound
   mover->travel = travel_bound(mover->before, to, bounding_radius);
 }
 
-// Public functions do their work in in_standard_arithmetic(): it sees to it that the CPU rounds as
-// all error bounds take for granted, and calls what it is given.
+// Public functions do their work in in_standard_arithmetic(), which makes the CPU round as all
+// error bounds assume while it calls the function that it is given.
 
 void World::move(BodyId id, const Pose& pose) {
   bvh::in_standard_arithmetic([&] {

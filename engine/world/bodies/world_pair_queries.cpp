@@ -1,4 +1,4 @@
-// Which bodies of two worlds, or of one, are at or near each other.
+// Finds which bodies of two worlds, or of one, touch or are near each other.
 
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/engine/world/bodies/nearest_bodies.h>
@@ -20,7 +20,7 @@ bool is_nearer(const BodyPairDistance& s, const BodyPairDistance& t) {
   return std::tie(s.distance.distance, s.a, s.b) < std::tie(t.distance.distance, t.a, t.b);
 }
 
-/// Whether two posed bodies, or any two parts of them that may meet, share a point.
+/// True if two posed bodies, or any two parts of them that may meet, share a point.
 bool do_touch(const PosedBody& a, const PosedBody& b) {
   bool is_hit = false;
   for_part_pairs(a, b, [&](const PlacedPart& s, const PlacedPart& t) {
@@ -38,9 +38,9 @@ const Shape& known_shape(const BodyShape& shape, BodyId id) {
                              ": its shape is a user's own");
 }
 
-/// The nearest two parts, or bodies without parts, that are not farther apart than `most`, of
-/// equals the first. Those whose boxes are farther apart than the nearest so far need not be asked:
-/// distance() never says less than boxes do.
+/// Finds the nearest two parts, or bodies without parts, that are not farther apart than `most`,
+/// the first of equals. Pairs whose boxes are farther apart than the nearest so far need not be
+/// measured, because distance() is never less than the distance of boxes.
 class NearestParts {
  public:
   NearestParts(const PosedBody& a, BodyId id_a, const PosedBody& b, BodyId id_b)
@@ -51,8 +51,9 @@ class NearestParts {
         id_a_(id_a),
         id_b_(id_b) {}
 
-  // One of the two is gone through, nearest parts first, and the other is asked which of its own is
-  // nearest to each; before that, which is nearest to a branch of the one or a block of voxels.
+  /// Goes through the parts of one body, nearest first, and searches the other for the part nearest
+  /// to each; before that, for the part nearest to a branch of the first or to a block of its
+  /// voxels.
   std::optional<BodyPairDistance> find(double most) {
     most_ = std::min(most, kLargestDistance);
     const bool is_a_gone_through = whole_b_ == nullptr || voxel_map_of(a_.shape) != nullptr ||
@@ -70,8 +71,8 @@ class NearestParts {
  private:
   double limit() const { return best_ ? std::min(best_->distance.distance, most_) : most_; }
 
-  /// As nearest_part() does: parts in a box around the other that grows. What is near of the other
-  /// to a branch or block of the one is asked before anything of that is.
+  /// Goes through parts as nearest_part() does: parts in a growing box around the other. The parts
+  /// of the other that are near a branch or block are searched before anything in that is.
   template <typename Ask>
   void go_through(const PartsBody& whole, const PosedBody& own, const PosedBody& other,
                   const Ask& ask_part) {
@@ -99,13 +100,12 @@ class NearestParts {
     }
   }
 
-  /// Whether a part of A comes after that of two that touch, so that none of its pairs is the
-  /// first.
+  /// True if a part of A comes after a part that touches B, so that none of its pairs is the first.
   bool is_late(const PlacedPart& part) const {
     return best_ && best_->distance.distance == 0 && part.number > best_->part_a;
   }
 
-  /// A part of A, or all of it, and the nearest of B.
+  /// Measures a part of A, or all of it, and the nearest part of B.
   void ask_part_of_a(const PlacedPart& part) {
     if (is_late(part)) return;
     const Shape& shape = known_shape(*part.shape, id_a_);
@@ -121,8 +121,8 @@ class NearestParts {
     if (nearest) take(nearest->distance, part.number, nearest->part);
   }
 
-  /// A part of B and the nearest of A: asked the other way round a distance is the same to the last
-  /// bit (law 4).
+  /// Measures a part of B and the nearest part of A. A distance is the same to the last bit when it
+  /// is asked for the other way round (law 4).
   void ask_part_of_b(const PlacedPart& part) {
     const PlacedShapeView placed{*part.shape->shape(), part.pose};
     const auto nearest =
@@ -134,7 +134,7 @@ class NearestParts {
     take(distance({*of_a.shape->shape(), of_a.pose}, placed), of_a.number, part.number);
   }
 
-  /// Not farther than all so far, and of equals the first.
+  /// True if the distance is the least so far, and the pair the first of equals.
   bool is_first(double distance, std::uint32_t part_a, std::uint32_t part_b) const {
     if (distance > most_) return false;
     return !best_ || std::tuple(distance, part_a, part_b) <
@@ -157,7 +157,7 @@ class NearestParts {
 
 }  // namespace
 
-/// The bodies of another world, each in its pose in that of A.
+/// The bodies of another world, each in its pose in the world of A.
 class World::OtherBodies {
  public:
   OtherBodies(const State& state, const PlacedWorldView& other, const WorldPairSettings& settings)
@@ -165,8 +165,8 @@ class World::OtherBodies {
     check_pose(other.pose, "pose of the other world");
   }
 
-  /// Calls `visit(index, posed, box, query)` for each that is asked for, ascending: `query` is
-  /// which bodies of A it may meet.
+  /// Calls `visit(index, posed, box, query)` for each body that is asked for, ascending: `query`
+  /// says which bodies of A it may meet.
   template <typename Visit>
   void for_each(const Visit& visit) const {
     for (std::uint32_t index = 0; index < other_.all.bodies.size(); ++index) {
@@ -183,7 +183,7 @@ class World::OtherBodies {
     }
   }
 
-  /// A body of A, without its room.
+  /// Returns a body of A, without its room.
   PosedBody own(std::uint32_t index) const {
     const Bodies::Body& body = state_.all.bodies[index];
     std::optional<Filter> filter;

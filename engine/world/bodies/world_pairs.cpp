@@ -1,4 +1,5 @@
-// All bodies, and which of them touched or were near at the last update: of all, or of one.
+// Lists bodies, and the pairs of all of them or of one that touched or were near at the last
+// update.
 
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/engine/world/bodies/world_state.h>
@@ -28,7 +29,8 @@ std::vector<BodyPair> World::State::list_pairs(PairState state) const {
   return pairs;
 }
 
-/// Of one body. Unless changes wait for an update its boxes are still where the pairs come from.
+/// Returns the pairs of one body. Unless changes wait for an update, boxes are still those from
+/// which the pairs were found.
 std::vector<BodyPair> World::State::list_pairs_of(std::uint32_t index, PairState state) const {
   std::vector<BodyPair> pairs;
   const auto add = [&](std::uint32_t at) {

@@ -1,4 +1,4 @@
-// Pairs of bodies of which one is a compound: asked part by part.
+// Tests pairs of bodies of which one is a compound, part by part.
 
 #include <graze/engine/world/bodies/world_state.h>
 #include <graze/engine/world/body_shapes/part_pairs.h>
@@ -28,7 +28,7 @@ PairAnswer::Kind World::State::relation_of_parts(BoxPair pair) const {
   return nearest;
 }
 
-/// The relation of the two nearest parts, and the contacts of all.
+/// Returns the relation of the two nearest parts, and adds the contacts of all parts.
 PairAnswer::Kind World::State::meet_by_parts(BoxPair pair, ContactList& into) const {
   const ManifoldSettings asked = all.settings(pair);
   const BodyPair ids = all.id_pair(pair);

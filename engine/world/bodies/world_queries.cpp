@@ -1,4 +1,4 @@
-// Which bodies are at or near a shape that is none of them.
+// Finds which bodies touch or are near a shape that is no body's own.
 
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/bvh/value/checks.h>
@@ -43,7 +43,7 @@ std::vector<std::uint32_t> World::State::find_bodies(const Aabb& box,
   broad.find_overlapping(box, bodies);
   for (std::uint32_t& index : bodies)
     index = body_of_box[index];
-  // Boxes have room for margins, which mean nothing here.
+  // Boxes have room for margins, which do not count here.
   std::erase_if(bodies, [&](std::uint32_t index) {
     const Bodies::Body& body = all.bodies[index];
     return body.room() > 0 &&
@@ -54,7 +54,8 @@ std::vector<std::uint32_t> World::State::find_bodies(const Aabb& box,
   return bodies;
 }
 
-/// Nothing for a compound that has no part within `most` metres that is asked for.
+/// Returns the distance of a body, or nothing for a compound without a part within `most` metres
+/// that is asked for.
 std::optional<BodyDistance> World::State::distance_to(std::uint32_t index,
                                                       const PlacedShapeView& placed,
                                                       const BodyQuerySettings& query,

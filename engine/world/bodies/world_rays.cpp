@@ -1,4 +1,4 @@
-// Which bodies a ray meets.
+// Finds which bodies a ray meets.
 
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/engine/world/bodies/world_state.h>
@@ -17,8 +17,8 @@ bool is_before(const BodyRayHit& s, const BodyRayHit& t) {
 
 }  // namespace
 
-/// Calls `on_hit(hit)` for the bodies that the ray meets; it returns how far to look from then on,
-/// metres.
+/// Calls `on_hit(hit)` for the bodies that the ray meets; `on_hit` returns how far to look from
+/// then on, metres.
 template <typename OnHit>
 void World::State::for_each_hit(const Ray& ray, const BodyQuerySettings& query,
                                 OnHit&& on_hit) const {
@@ -40,7 +40,7 @@ void World::State::for_each_hit(const Ray& ray, const BodyQuerySettings& query,
       return shorter.max_distance;
     });
   };
-  broad.visit_along(ray, std::cref(look));  // a reference: nothing is allocated
+  broad.visit_along(ray, std::cref(look));  // a reference, so that nothing is allocated
 }
 
 std::optional<BodyRayHit> World::cast_ray(const Ray& ray, const BodyQuerySettings& settings) const {

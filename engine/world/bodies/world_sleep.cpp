@@ -1,4 +1,4 @@
-// Bodies that are put to sleep and woken, one by one or many.
+// Puts bodies to sleep and wakes them, one by one or many at once.
 
 #include <graze/bvh/value/element_error.h>
 #include <graze/engine/world/bodies/world_state.h>
@@ -7,7 +7,7 @@
 
 namespace graze {
 
-/// Throws for the first id that is none of a body, and names its element.
+/// Throws for the first id that is not of a body, and names its element.
 void World::State::check_bodies(std::span<const BodyId> ids, const char* what) const {
   check_is_free(what);
   for (std::size_t i = 0; i < ids.size(); ++i) {

@@ -33,35 +33,35 @@ struct Bodies {
     std::uint64_t user_data = 0;
     double margin = 0;
     MeshSides sides;
-    std::uint32_t box = 0;  ///< its index in the broad phase
+    std::uint32_t box = 0;  ///< the index of its box in the broad phase
     std::uint32_t exclusions = 0;
     BodyKind kind = BodyKind::Dynamic;
     Role role = Role::Solid;
     Detection detection = Detection::Discrete;
     bool is_awake = true;
     bool is_users = false;   ///< whether a user wrote the shape's class
-    bool has_parts = false;  ///< whether the shape is one of parts
-    /// What `question(shape)` says, computed as its author does.
+    bool has_parts = false;  ///< whether the shape is one of several parts
+    /// Returns `question(shape)`, computed in the floating-point settings of the shape's author.
     template <typename Question>
     auto ask(const Question& question) const {
       return ask_shape(is_users, [&] { return question(*shape); });
     }
-    /// Metres: how far from its shape it may meet another.
+    /// Returns how far from its shape the body may meet another, metres.
     double room() const { return margin + sides.thickness(); }
     bool is_static() const { return kind == BodyKind::Static && role == Role::Solid; }
     bool joins_islands() const { return kind == BodyKind::Dynamic && role == Role::Solid; }
   };
 
-  /// What a walk over all pairs reads of each body. It is kept apart from the rest, so that it
-  /// stays in the cache.
+  /// The data of a body that a walk over all pairs reads. They are kept apart from the rest, so
+  /// that they stay in the cache.
   struct Changes {
-    /// Metres: since the body was added no point of it has travelled farther.
+    /// No point of the body has travelled farther than this since it was added, metres.
     double path = 0;
-    /// Whether since the last update it was added, moved, woken or given another filter.
+    /// Whether it was added, moved, woken or given another filter since the last update.
     bool has_changed = false;
     bool has_other_filter = false;  ///< whether its filter, kind or exclusions changed
     bool has_other_shape = false;   ///< whether known gaps of its pairs no longer hold
-    bool has_unbuilt_tree = false;  ///< whether UnbuiltTrees counts it: the mark of a body there
+    bool has_unbuilt_tree = false;  ///< the mark of a body that UnbuiltTrees counts
     bool is_mesh = false;           ///< whether the shape stands for a mesh
     bool is_for_caller = false;     ///< whether only the caller's thread may ask the shape
   };
@@ -74,18 +74,18 @@ struct Bodies {
   std::uint32_t number_bits = 0;  ///< the world's number, as generations in ids have it
   static constexpr int kNumberShift = 24;
 
-  /// Whether the id is of a body that is there, and not of another world's.
+  /// True if the id is of a body of this world that has not been removed.
   bool has(BodyId id) const { return ids.is_live(id.index, id.generation ^ number_bits); }
-  /// The id of a body that is there, or was until the last update.
+  /// Returns the id of a body that is there, or was there until the last update.
   BodyId id(std::uint32_t index) const {
     const std::uint32_t generation = ids.generation(index);
     return {index, (ids.is_live(index) ? generation : generation - 1) | number_bits};
   }
   BodyPair id_pair(BoxPair pair) const { return {id(pair.a), id(pair.b)}; }
-  /// Whether kinds, roles and filters let them form a pair.
+  /// True if kinds, roles and filters let the two form a pair.
   bool may_meet(std::uint32_t a, std::uint32_t b) const;
-  /// Whether it is awake, and has changed or is not static. A pair in which a body has changed is
-  /// tested if this is true of one of the two.
+  /// True if the body is awake, and has changed or is not static. A pair in which a body has
+  /// changed is tested if this is true for one of the two.
   bool is_up(std::uint32_t index) const {
     return bodies[index].is_awake && (changes[index].has_changed || !bodies[index].is_static());
   }
@@ -101,14 +101,14 @@ struct Bodies {
   }
 };
 
-/// What of a pair a list asks for, as bits of its state.
+/// The states of a pair that a list may ask for, as bits.
 enum class PairState : std::uint8_t { Touching = 1, Near = 2, Either = 3 };
 
 /// The pairs of bodies whose boxes overlap and which no filter keeps apart, and which of them
 /// touch.
 class CandidatePairs {
  public:
-  /// What throws has changed nothing.
+  /// Adds a pair. If this throws it has changed nothing.
   void add(BoxPair pair) {
     make_room_in(states_, 1), make_room_in(known_gaps_, 1);
     index_.add(list_, pair);
@@ -123,7 +123,7 @@ class CandidatePairs {
     known_gaps_.pop_back();
   }
   std::uint32_t position(BoxPair pair) const { return index_.position(list_, pair); }
-  /// What position() reads first, and what is known of the pair there.
+  /// Prefetch what position() reads first, and what is known of the pair there.
   void fetch(BoxPair pair) const { index_.prefetch(pair); }
   void fetch(std::uint32_t at) const {
     __builtin_prefetch(&states_[at]);
@@ -133,7 +133,7 @@ class CandidatePairs {
 
   std::span<const BoxPair> list() const { return list_.pairs(); }
   bool touches(std::uint32_t at) const { return (states_[at] & kTouches) != 0; }
-  /// Whether the pair was within a margin above 0, touching or not.
+  /// True if the pair was within a margin above 0, touching or not.
   bool is_near(std::uint32_t at) const { return (states_[at] & kIsNear) != 0; }
   bool is(std::uint32_t at, PairState state) const {
     return (states_[at] & static_cast<std::uint8_t>(state)) != 0;
@@ -172,7 +172,7 @@ struct WorldSnapshot::State {
   std::vector<std::uint8_t> states;
 };
 
-/// Access to what a snapshot holds, for those who keep it elsewhere.
+/// Gives access to the contents of a snapshot, for code that stores them elsewhere.
 struct WorldSnapshotAccess {
   using State = WorldSnapshot::State;
   static const State& state(const WorldSnapshot& snapshot) { return *snapshot.state_; }
@@ -181,7 +181,7 @@ struct WorldSnapshotAccess {
   }
 };
 
-/// The box of the shape with room around it, metres, checked.
+/// Returns the box of the shape with room around it, metres. Throws if the box is not valid.
 Aabb bounds_of(const BodyShape& shape, bool is_users, const Pose& pose, double room,
                const char* what);
 
@@ -195,42 +195,42 @@ inline BoxPair ordered_pair(std::uint32_t s, std::uint32_t t) {
   return {std::min(s, t), std::max(s, t)};
 }
 
-/// Why a pair is tested: something in it changed, or nothing, and the settings ask for it all the
-/// same.
+/// The reason why a pair is tested: either something in it changed, or nothing did, and the
+/// settings ask for a test all the same.
 enum class PairQuestion { Changed, AtRest };
 
 /// The search for the pairs of some changed bodies, and the memory that it needs.
 struct PartnerSearch {
   std::vector<std::uint32_t> partners;
-  std::vector<BoxPair> asked;  ///< changed bodies and their partners: as boxes, and then as bodies
+  std::vector<BoxPair> asked;  ///< changed bodies and partners, first as boxes, then as bodies
   std::vector<std::uint32_t> found;
-  std::vector<std::uint32_t> due;  ///< of these, without those that are apart for sure
+  std::vector<std::uint32_t> due;  ///< the found pairs that are not surely apart
 };
 
-struct CastQuery;      // what cast() asks
-struct CastCandidate;  // and whom it may come to
-struct PosedBox;       // what find_closest() is asked about
+struct CastQuery;      // the question of cast()
+struct CastCandidate;  // a body that a cast may come to
+struct PosedBox;       // the box and the pose that find_closest() is asked about
 
 /// A body and a box around all places where it was since the last update.
 struct SweptBody {
   std::uint32_t body;
-  bool is_swept;  ///< false of a body that moved far, and stands here so that others are found
+  bool is_swept;  ///< false for a body that only moved far, and is listed so that others find it
   Aabb box;
 };
 
-/// What a pair has to say of its first contact: nothing if it is free.
+/// The answer about the first contact of a pair, which is empty if the pair is free.
 struct SweptAnswer {
   std::optional<BodyFirstContact> first, after_sliding;
-  std::vector<BodyFirstContact> of_parts;  ///< where one of the two is a compound
+  std::vector<BodyFirstContact> of_parts;  ///< those of parts, if one body is a compound
 };
 
-/// A part of the pairs that are asked for a first contact.
+/// The work of a part of the pairs that are asked for a first contact.
 struct SweptPart {
   Work work;
   std::exception_ptr failure;
 };
 
-/// How many pairs of a part of the list are due, and how many would be but for a known gap.
+/// How many pairs of a part of the list are due, and how many a known gap keeps from being due.
 struct DuePart {
   std::uint32_t due, apart;
 };
@@ -252,29 +252,29 @@ struct World::State {
   PairNews news;
   std::vector<PartnerSearch> searches;
   std::vector<std::uint32_t> due;         ///< pairs to be tested, in the order of the list
-  std::vector<DuePart> due_parts;         ///< of the list
-  std::vector<std::uint32_t> order;       ///< an order of `due`, or of contacts
-  std::vector<std::uint32_t> first_pair;  ///< of each body, its first place in `order`
+  std::vector<DuePart> due_parts;         ///< for each part of the list of candidates
+  std::vector<std::uint32_t> order;       ///< `due`, or contacts, put in order
+  std::vector<std::uint32_t> first_pair;  ///< the first place of each body in `order`
   PairBatches batches;                    ///< the pairs in `order`, if threads share them
-  ContactList contacts;                   ///< those of `news` in ascending order of pairs
+  ContactList contacts;                   ///< the contacts of `news` in ascending order of pairs
   std::vector<BodyId> box_hits;
   std::vector<BoxId> boxes_to_move;
   std::vector<Aabb> moved_boxes;
   std::vector<double> bounding_radii;
   Islands islands;
-  std::vector<std::uint32_t> island_changes;  ///< bodies that are to come into islands or to leave
-  std::vector<std::uint32_t> left_islands;    ///< those that were removed since the last update
-  std::vector<BoxPair> island_touches;        ///< that are to be added
+  std::vector<std::uint32_t> island_changes;  ///< bodies that are to join islands or to leave them
+  std::vector<std::uint32_t> left_islands;    ///< bodies that were removed since the last update
+  std::vector<BoxPair> island_touches;        ///< edges that are to be added
   Movers movers;
   std::vector<SweptBody> swept;
   std::vector<BoxPair> swept_pairs;
   std::vector<SweptPart> swept_parts;
-  std::vector<SweptAnswer> swept_answers;  ///< by pair
+  std::vector<SweptAnswer> swept_answers;  ///< in the order of `swept_pairs`
 
   JournalPlace journal;
 
   bool is_updating = false;
-  /// The last update did not end: something that it asked threw, or it had no memory.
+  /// True if the last update was not completed: something that it asked threw, or memory was short.
   bool is_cut_short = false;
 
   const Bodies::Body& body(BodyId id, const char* what) const;
@@ -298,7 +298,8 @@ struct World::State {
   const Mesh* prepared_mesh(const BodyShape& shape, bool is_users) const;
   void take_shape(std::uint32_t index, std::shared_ptr<const BodyShape> shape, const Mesh* mesh);
   void drop_shape(std::uint32_t index);
-  /// To be called after what may have built the tree of the body's mesh: takes the mark away if so.
+  /// Removes the mark of a body if the tree of its mesh has been built. To be called after a query
+  /// that may have built it.
   void look_for_tree(std::uint32_t index) {
     bool& is_marked = all.changes[index].has_unbuilt_tree;
     if (is_marked) is_marked = unbuilt.still_holds(*all.bodies[index].mesh);
@@ -381,7 +382,8 @@ struct World::State {
   void sort_contacts();
 };
 
-/// Calls `visit(at)` for the candidates of a body, where its box is the one that they are of.
+/// Calls `visit(at)` for the candidates of a body. They must have been found with the box that the
+/// body has now.
 template <typename Visit>
 void World::State::for_candidates_of(std::uint32_t index, const Visit& visit) const {
   const std::uint32_t box = all.bodies[index].box;

@@ -1,4 +1,4 @@
-// When bodies that are swept meet others: between the last update and this one.
+// Finds when bodies that are swept meet others between the last update and this one.
 
 #include <graze/bvh/error.h>
 #include <graze/engine/world/bodies/world_state.h>
@@ -15,7 +15,7 @@
 namespace graze {
 namespace {
 
-/// Pairs that a thread asks in one go.
+/// How many pairs a thread asks in one go.
 constexpr std::size_t kPart = 4;
 
 constexpr RigidContact kUnknown{
@@ -26,7 +26,7 @@ Aabb everything() {
   return {-all, all};
 }
 
-/// Where two that are near each other meet.
+/// The normal and the point at which two shapes that are near each other meet.
 struct Meeting {
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();
   Eigen::Vector3d point = Eigen::Vector3d::Zero();
@@ -45,13 +45,13 @@ Meeting meeting_of(const PlacedShape& a, const PlacedShape& b) {
   return {deepest->normal, deepest->point};
 }
 
-/// A body and how it came from where it was at the last update.
+/// A body and its motion since the last update.
 struct BodyInMotion {
   const Bodies::Body& body;
-  std::optional<RigidMotion> motion;  ///< none if it cannot be computed
+  std::optional<RigidMotion> motion;  ///< nothing if the motion cannot be computed
 };
 
-/// What of a body meets another: its shape, or a part of that.
+/// The shape of a body that meets another, or a part of it, in motion.
 struct ShapeInMotion {
   const BodyShape& shape;
   const std::optional<RigidMotion>& motion;
@@ -67,8 +67,8 @@ const Shape* known_shape(const ShapeInMotion& moving) {
   return moving.ask([](const BodyShape& shape) { return shape.shape(); });
 }
 
-/// None where a pose deviates from a rotation as far as the door lets in: turning it could go too
-/// far.
+/// Returns a body and its motion. There is none where a pose deviates from a rotation as far as is
+/// accepted, because a turn of it could deviate too far.
 BodyInMotion in_motion(const Bodies::Body& body, const Mover* mover) {
   if (mover != nullptr && mover->motion) return {body, mover->motion};
   try {
@@ -78,7 +78,7 @@ BodyInMotion in_motion(const Bodies::Body& body, const Mover* mover) {
   }
 }
 
-/// A box around all places of a body.
+/// Returns a box around all places of a body.
 Aabb swept_box(const BodyInMotion& moving) {
   if (!moving.motion) return everything();
   try {
@@ -102,7 +102,7 @@ RigidContact contact_of(const ShapeInMotion& a, const ShapeInMotion& b,
   }
 }
 
-/// Adds the first contact of a pair, if there is one, and what comes after it.
+/// Adds the first contact of a pair, if there is one, and the one after sliding.
 template <typename Add>
 void add_first_contacts(const BodyPair& pair, const ShapeInMotion& a, const ShapeInMotion& b,
                         const WorldSettings& settings, const Add& add) {
@@ -135,8 +135,8 @@ void add_first_contacts(const BodyPair& pair, const ShapeInMotion& a, const Shap
   if (next) add({pair, next->contact, false, next->normal, next->point, a.part, b.part});
 }
 
-/// Adds those of all pairs of parts, by time. Where motions are too far away to look parts up, it
-/// is the compounds that are unknown.
+/// Adds the first contacts of all pairs of parts, by time. Where motions are too far away to look
+/// parts up, the answer for the whole compounds is unknown.
 void add_of_parts(const BodyPair& pair, const BodyInMotion& a, const BodyInMotion& b,
                   const WorldSettings& settings, std::vector<BodyFirstContact>& to) {
   const auto add = [&](const BodyFirstContact& found) { to.push_back(found); };
@@ -168,8 +168,9 @@ void World::State::find_first_contacts() {
   ask_swept_pairs();
 }
 
-/// Lists the bodies that are swept, and others that moved by more than they are wide: few, or these
-/// would not be simulated by such steps. Returns how far any other body came, at most.
+/// Lists the bodies that are swept, and others that moved by more than they are wide. There are few
+/// of these, or such steps would not be used to simulate them. Returns the most that any other body
+/// moved, metres.
 double World::State::list_swept() {
   swept.clear();
   const auto is_swept = [&](const Mover& mover) {
@@ -190,8 +191,9 @@ double World::State::list_swept() {
   return others_travel;
 }
 
-/// Those that are listed among themselves, by sweep and prune, and the swept ones with all others,
-/// by the broad phase. A pair whose boxes overlap now has passed all filters, others are asked.
+/// Lists pairs of the listed bodies, by sweep and prune, and pairs of swept bodies and all others,
+/// by the broad phase. A pair whose boxes overlap now has passed all filters; other pairs are
+/// filtered here.
 void World::State::list_swept_pairs(double others_travel) {
   swept_pairs.clear();
   std::sort(swept.begin(), swept.end(), [](const SweptBody& s, const SweptBody& t) {
@@ -215,7 +217,8 @@ void World::State::list_swept_pairs(double others_travel) {
   });
 }
 
-/// Of a swept body with a box around all its places those that are not listed.
+/// Lists the pairs of a swept body, with a box around all its places, and bodies that are not
+/// listed.
 void World::State::list_partners_of(std::uint32_t index, const Aabb& box, double others_travel) {
   partners.clear();
   broad.find_overlapping(grown(box, others_travel), partners);
@@ -244,7 +247,7 @@ SweptAnswer World::State::ask_swept_pair(BoxPair pair) const {
   return answer;
 }
 
-/// Shapes of a user's own are asked by the caller's thread.
+/// Asks all pairs for their first contact. The caller's thread asks shapes of a user's own.
 void World::State::ask_swept_pairs() {
   const std::size_t count = swept_pairs.size();
   news.work.pairs_swept = count;

@@ -1,5 +1,5 @@
-// What an update of a world does: which pairs are candidates now, and which of those in which
-// something changed touch.
+// Updates a world: finds which pairs are candidates now, and has those tested in which something
+// changed.
 
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/engine/world/bodies/world_state.h>
@@ -19,7 +19,7 @@ bool lets_pass(const Filter& a, const Filter& b) {
 
 namespace {
 
-/// Whether bodies of these roles and kinds can form a pair at all.
+/// True if bodies of these roles and kinds can form a pair at all.
 bool can_meet(const Bodies::Body& s, const Bodies::Body& t) {
   if (s.role == Role::Sensor && t.role == Role::Sensor) return false;
   if (s.role == Role::Sensor) return t.kind != BodyKind::Static;
@@ -27,7 +27,8 @@ bool can_meet(const Bodies::Body& s, const Bodies::Body& t) {
   return s.kind == BodyKind::Dynamic || t.kind == BodyKind::Dynamic;
 }
 
-/// Pairs that it finds begun and ended stay listed if it ends by an exception.
+/// Marks the time of an update, and notes if it ends by an exception. The pairs that it has found
+/// begun and ended then stay listed.
 class UpdatingScope {
  public:
   UpdatingScope(bool& is_updating, bool& is_cut_short)
@@ -89,8 +90,9 @@ void World::State::end_pairs() {
   }
 }
 
-/// The same after an update that was cut short, when the broad phase's lists may be lost: asks
-/// every candidate whether its boxes still overlap. filter_again() finds the pairs that began.
+/// Ends pairs whose boxes have parted, after an update that was cut short, when the broad phase's
+/// lists may be lost: it tests for every candidate whether its boxes still overlap. filter_again()
+/// finds the pairs that began.
 void World::State::end_parted_pairs() {
   for (auto at = static_cast<std::uint32_t>(candidates.list().size()); at-- > 0;) {
     const BoxPair pair = candidates.list()[at];
@@ -116,7 +118,7 @@ void World::State::begin_pairs() {
   }
 }
 
-/// The bodies whose boxes overlap that of a body, ascending, without itself.
+/// Lists the bodies whose boxes overlap that of a body, ascending, without the body itself.
 void World::State::list_partners(std::uint32_t index) {
   partners.clear();
   const std::uint32_t box = all.bodies[index].box;
@@ -127,7 +129,8 @@ void World::State::list_partners(std::uint32_t index) {
   std::sort(partners.begin(), partners.end());
 }
 
-/// Of two bodies whose filters changed the one with the smaller index adds the pair: once.
+/// Adds and ends pairs of a body whose filter changed. If the filters of both bodies changed, the
+/// one with the smaller index adds the pair, so that it is added once.
 void World::State::filter_again(std::uint32_t index) {
   list_partners(index);
   for (const std::uint32_t partner : partners) {
@@ -182,11 +185,11 @@ void World::State::list_changes() {
   work.trees_unbuilt = unbuilt.count();
 }
 
-// Public functions do their work in in_standard_arithmetic(): it sees to it that the CPU rounds as
-// all error bounds take for granted, and calls what it is given.
+// Public functions do their work in in_standard_arithmetic(), which makes the CPU round as all
+// error bounds assume while it calls the function that it is given.
 
-// Filters and shapes of a user's own may throw, and memory may be short. What had begun and ended
-// until then is told by the next update, which looks at everything anew.
+// Filters and shapes of a user's own may throw, and memory may be short. The next update, which
+// looks at everything anew, then lists the pairs that had begun and ended until then.
 WorldUpdate World::update() {
   return bvh::in_standard_arithmetic([&]() -> WorldUpdate {
     State& state = *state_;
@@ -203,7 +206,7 @@ WorldUpdate World::update() {
       state.find_changes();
       state.find_first_contacts();
       state.list_changes();
-      state.all.ids.prepare_round();  // once islands are kept up nothing throws
+      state.all.ids.prepare_round();  // after keep_up_islands() nothing may throw
       state.keep_up_islands();
       state.all.ids.next_round();
     }
@@ -252,7 +255,8 @@ void World::restore(const WorldSnapshot& snapshot) {
   });
 }
 
-/// Whether bodies have been added and nothing else has happened: as if they came now.
+/// True if bodies have been added and nothing else has happened, so that they may count as added
+/// now.
 bool WorldJournalAccess::has_only_come(const World::State& state) {
   const auto& all = state.all;
   bool is_first_of_all = true;

@@ -8,7 +8,7 @@
 namespace graze {
 namespace {
 
-/// Throws unless it can be a part.
+/// Throws unless the shape can be a part.
 void check_part(const PlacedShapeView& part) {
   if (part.shape.kind() == ShapeKind::HalfSpace || part.shape.kind() == ShapeKind::Plane)
     throw InputError(std::string("part: a ") + name_of(part.shape.kind()) +

@@ -12,7 +12,8 @@
 namespace graze {
 namespace {
 
-// So many are looked at one by one, which takes less than to look them up, and less memory.
+// Up to this many parts are looked at one by one, which takes less time than to look them up, and
+// less memory.
 constexpr std::size_t kFew = 16;
 
 }  // namespace
@@ -86,7 +87,7 @@ void CompoundBody::visit_along(const Ray& own_ray, const Look& look) const {
     return;
   }
   const auto look_at = [&](std::uint32_t place) { return look(numbers_[place]); };
-  boxes_->visit_along(own_ray, std::cref(look_at));  // a reference: nothing is allocated
+  boxes_->visit_along(own_ray, std::cref(look_at));  // a reference, so that nothing is allocated
 }
 
 void CompoundBody::check_parts(const Pose& pose) const {

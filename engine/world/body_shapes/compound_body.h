@@ -1,6 +1,6 @@
 #pragma once
 
-// A compound as a world asks it. Private to engine/world.
+// The BodyShape of a compound. Private to engine/world.
 
 #include <graze/engine/world/body_shapes/part_tree.h>
 #include <graze/engine/world/body_shapes/parts_body.h>
@@ -14,7 +14,7 @@
 
 namespace graze {
 
-/// A part's number is that which the compound gave it.
+/// A compound as a body of parts. A part has the number that the compound gave it.
 class CompoundBody final : public PartsBody {
  public:
   /// Throws as share() does.
@@ -32,12 +32,14 @@ class CompoundBody final : public PartsBody {
   void check_parts(const Pose& pose) const override;
 
   Compound compound_;
-  std::vector<std::uint32_t> numbers_;  ///< ascending; parts go by their places in it
+  std::vector<std::uint32_t> numbers_;  ///< ascending; the place of a part is its index here
   std::vector<std::shared_ptr<const BodyShape>> shapes_;  ///< by number
-  // Boxes of the parts in the compound's frame, with room: a few in a list, more looked up.
+  /// The boxes of the parts in the compound's frame, with room. A few are kept in a list, more in a
+  /// broad phase.
   std::vector<Aabb> few_boxes_;        ///< by place
   std::unique_ptr<BroadPhase> boxes_;  ///< by place
-  // Of many, without room, from when the nearest of them is asked for.
+  /// A tree over the boxes of many parts, without room. It is built when the nearest part is first
+  /// asked for.
   mutable std::once_flag tree_flag_;
   mutable std::unique_ptr<const PartTree> tree_;
 };

@@ -27,19 +27,19 @@ Aabb BoxPlacing::operator()(const Aabb& own) const {
   return grown(box, room);
 }
 
-// The scale of a pair that is d apart is no more than d and twice the sizes of both: of the one its
-// box's diagonal, below twice its longest side, and of a part that of its box likewise.
+// The scale of a pair that is d apart is at most d and twice the sizes of both. Each size is at
+// most the diagonal of a box, which is below twice its longest side.
 GapToParts::GapToParts(const PartSeeker& seeker, const BoxPlacing& placing, double widest_part)
     : seeker_(seeker), placing_(placing), lengths_(4 * (width_of(seeker.box) + widest_part)) {}
 
-// With t = kTouchTolerance a distance of what is d apart is no less than d - t (d + lengths); as
-// much again is for what roots and sums round.
+// With t = kTouchTolerance the distance of shapes that are d apart is no less than d - t (d +
+// lengths); as much again is for the rounding of roots and sums.
 double GapToParts::sure(double apart) const {
   return apart - 2 * kTouchTolerance * (apart + lengths_);
 }
 
-// What boxes along one axis say holds of any search. Where squares overflow nothing is known of the
-// root.
+// The gap of boxes along one axis holds for any search. Where squares overflow nothing is known of
+// the root.
 double GapToParts::to_box(const Aabb& world) const {
   double squares = 0;
   for (int i = 0; i < 3; ++i) {
@@ -53,7 +53,7 @@ double GapToParts::to_box(const Aabb& world) const {
   return std::isfinite(apart) ? std::max(apart, along_one) : along_one;
 }
 
-// A box with the room that those of parts have holds them wherever rounding puts them.
+// A box that is given the room of parts' boxes holds the parts wherever rounding puts them.
 double GapToParts::measured(const Aabb& own, double limit) const {
   if (seeker_.shape == nullptr && seeker_.gap_to_box == nullptr) return to_own(own);
   Pose middle = Pose::Identity();

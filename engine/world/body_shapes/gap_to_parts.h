@@ -1,6 +1,6 @@
 #pragma once
 
-// How far parts of a body are from something else, at least. Private to engine/world.
+// Bounds how far parts of a body are from something else. Private to engine/world.
 
 #include <graze/bvh/aabb.h>
 #include <graze/bvh/pose.h>
@@ -10,37 +10,40 @@
 
 namespace graze {
 
-/// A box of a body's own frame in the world, as law 3 reads poses: outward.
+/// Takes a box of a body's own frame to the world, outward, as law 3 reads poses.
 struct BoxPlacing {
   const Pose& pose;
-  double room;  ///< for what is rounded, and how poses deviate from rotations, metres
+  double room;  ///< room for rounding and for how poses deviate from rotations, metres
 
   Aabb operator()(const Aabb& own) const;
 };
 
-/// What the nearest part of a body is looked for to.
+/// The seeker of the nearest part of a body.
 struct PartSeeker {
-  const Aabb& box;                         ///< in the world, around all of it
-  double search_radius;                    ///< metres: parts farther from the box are of no use
-  double limit;                            ///< likewise parts that are farther from it
-  const PlacedShapeView* shape = nullptr;  ///< if it is one
-  /// If it has parts itself: none is nearer to a box than this says, if that is no more than the
-  /// limit, and else than the limit.
+  const Aabb& box;                         ///< a box in the world around the whole seeker
+  double search_radius;                    ///< metres: parts that are farther from the box do not
+                                           ///< count
+  double limit;                            ///< metres: parts that are farther from the seeker do
+                                           ///< not count
+  const PlacedShapeView* shape = nullptr;  ///< the seeker, if it is a shape
+  /// For a seeker with parts of its own: none of them is nearer to a box than this returns, if that
+  /// is at most the limit, and else none is nearer than the limit.
   const std::function<double(const PlacedShapeView& box, double limit)>* gap_to_box = nullptr;
 };
 
-/// How far a seeker is from parts in boxes of a body's frame. The diagonal of its box, and a length
-/// that no part is wider than, say how coarse distances may be.
+/// Bounds how far a seeker is from parts in boxes of a body's frame. The diagonal of its box, and a
+/// length that no part is wider than, bound the errors of distances.
 class GapToParts {
  public:
   GapToParts(const PartSeeker& seeker, const BoxPlacing& placing, double widest_part);
 
-  /// distance() says no less than this of what is sought for and a part in that box, if its search
-  /// converges: metres.
+  /// Returns a length, metres, such that distance() of the seeker and a part in that box is no
+  /// less, if its search converges.
   double to_box(const Aabb& world) const;
   double to_own(const Aabb& own) const { return to_box(placing_(own)); }
-  /// The same, as near as it can be known: by the distance of a shape, or of parts, and the box. Of
-  /// parts that are farther than a limit only this.
+  /// Returns such a bound that is as good as possible: it measures the distance of the box from the
+  /// seeker's shape, or from its parts. If its parts are all farther than the limit, it says only
+  /// that.
   double measured(const Aabb& own, double limit) const;
 
  private:

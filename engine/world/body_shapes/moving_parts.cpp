@@ -14,7 +14,8 @@ Aabb everything() {
   return {-all, all};
 }
 
-/// Of what does not turn any point goes straight: its own origin, then, which is not far away.
+/// Returns the motion of a part. If the body does not turn, any point may be the centre: the part's
+/// own origin is taken, which is not far away.
 RigidMotion part_motion(const RigidMotion& body, const Pose& start) {
   const bool does_turn = body.angle() != 0;
   return RigidMotion(start, {.centre = does_turn ? body.centre() : start.translation(),
@@ -23,13 +24,14 @@ RigidMotion part_motion(const RigidMotion& body, const Pose& start) {
                              .angle = body.angle()});
 }
 
-/// No point that is at most `radius` from the body's origin is ever farther from where it was at
-/// the start, metres.
+/// Returns a length, metres, such that no point at most `radius` from the body's origin is ever
+/// farther than that from where it was at the start.
 double longest_travel(const RigidMotion& motion, double radius) {
   const double farthest = length_of(motion.start().translation() - motion.centre()) + radius;
   const double travel =
       length_of(motion.shift()) + std::min(std::abs(motion.angle()), 2.0) * farthest;
-  // What poses deviate from rotations and places are rounded by, at most (MovingShape::kStretch).
+  // The added terms bound how poses deviate from rotations and how places are rounded
+  // (MovingShape::kStretch).
   return travel * (1 + 0x1p-16) + 0x1p-16 * (motion.angle() == 0 ? 0 : farthest) +
          0x1p-40 * (farthest + length_of(motion.centre()));
 }

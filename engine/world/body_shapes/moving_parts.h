@@ -15,25 +15,26 @@ namespace graze {
 struct MovingBodyShape {
   const BodyShape& shape;
   const RigidMotion& motion;
-  std::optional<Filter> filter = {};  ///< the body's, if it is known
+  std::optional<Filter> filter = {};  ///< the filter of the body, if it is known
 };
 
-/// A part, which goes where its body takes it; or a shape that is no compound, as its own part 0.
+/// A part that moves with its body; or a shape that is no compound, as its own part 0.
 struct MovingPart {
-  PlacedPart placed;  ///< at the start
+  PlacedPart placed;  ///< the part at the start
   RigidMotion motion;
-  Aabb swept;  ///< around all its places
+  Aabb swept;  ///< a box around all its places
 };
 
-/// A box around all places of a shape. Of a user's own no more is known than how far it reaches
-/// from its origin. Throws PoseError where numbers could overflow.
+/// Returns a box around all places of a shape. Of a user's own shape only its bounding radius is
+/// known. Throws PoseError where numbers could overflow.
 Aabb swept_box(const BodyShape& shape, const RigidMotion& motion);
 
-/// Its parts whose boxes around all places meet a box; ascending. Throws likewise.
+/// Returns the parts of a body whose boxes around all places meet a box; ascending. Throws as
+/// swept_box() does.
 std::vector<MovingPart> moving_parts_in(const MovingBodyShape& body, const Aabb& box);
 
 /// Calls `visit(part_a, part_b)` for parts that may come as near to each other as the settings ask
-/// for, by their numbers ascending. Throws likewise.
+/// for, by their numbers ascending. Throws as swept_box() does.
 template <typename Visit>
 void for_moving_part_pairs(const MovingBodyShape& a, const MovingBodyShape& b,
                            const RigidContactSettings& settings, const Visit& visit) {
@@ -49,7 +50,7 @@ void for_moving_part_pairs(const MovingBodyShape& a, const MovingBodyShape& b,
   }
 }
 
-/// BodyShape::first_contact() of the two.
+/// Returns BodyShape::first_contact() of the two.
 RigidContact first_contact_of(const MovingPart& a, const MovingPart& b,
                               const RigidContactSettings& settings);
 

@@ -13,7 +13,8 @@
 namespace graze {
 namespace {
 
-/// What `question(shape)` says of what is no compound, computed as its author does.
+/// Returns `question(shape)` for a part, computed in the floating-point settings of the shape's
+/// author.
 template <typename Question>
 auto ask(const PlacedPart& part, const Question& question) {
   return ask_shape(is_users_shape(*part.shape), [&] { return question(*part.shape); });
@@ -96,7 +97,7 @@ Nearness contacts_of(const PlacedPart& a, const PlacedPart& b, const ManifoldSet
 
 namespace {
 
-/// The nearest so far of the parts that may meet a shape, not farther than `most`.
+/// Keeps the nearest part so far that may meet a shape and is not farther than `most`.
 struct NearestPart {
   const PlacedShapeView& shape;
   double most;
@@ -115,7 +116,8 @@ struct NearestPart {
   }
 };
 
-/// Likewise what no part is nearer than: all of what is not proved counts as near.
+/// Keeps the length than which no part so far is nearer. A distance counts only as far as it is
+/// proved.
 struct LeastGap {
   const PlacedShapeView& shape;
   double most;

@@ -1,6 +1,6 @@
 #pragma once
 
-// Pairs of parts of two bodies, of which each may be a compound. Private to engine/world.
+// Finds pairs of parts of two bodies, each of which may be a compound. Private to engine/world.
 
 #include <graze/engine/world/body_shapes/parts_body.h>
 #include <graze/engine/world/contacts/margin/nearness.h>
@@ -17,23 +17,25 @@ namespace graze {
 struct PosedBody {
   const BodyShape& shape;
   const Pose& pose;
-  double room = 0;                    ///< metres around its box, or that of each of its parts
-  std::optional<Filter> filter = {};  ///< the body's, if it is known
-  bool has_filters = true;            ///< false: those of its parts mean nothing, either
+  double room = 0;                    ///< the room around its box, or around that of each of its
+                                      ///< parts, metres
+  std::optional<Filter> filter = {};  ///< the filter of the body, if it is known
+  bool has_filters = true;            ///< if false, the filters of its parts do not count, either
 };
 
-/// Its parts whose boxes, with its room, meet a box in the world; ascending.
+/// Returns the parts of a body whose boxes, with its room, meet a box in the world; ascending.
 std::vector<PlacedPart> parts_near(const PosedBody& body, const Aabb& box);
 
-/// Whether the filters of two parts, or those of their bodies where these have none, let them meet.
-/// Those of the bodies themselves are asked before.
+/// True if the filters of two parts, or those of their bodies where the parts have none, let them
+/// meet. The filters of the bodies themselves are tested before.
 bool do_parts_meet(const PosedBody& a, const PlacedPart& part_a, const PosedBody& b,
                    const PlacedPart& part_b);
 
-/// The box that the broad phase has of it.
+/// Returns the box that the broad phase has of a body.
 Aabb box_with_room(const PosedBody& body);
 
-/// Calls `visit(part)` for these until it returns false. False then.
+/// Calls `visit(part)` for the parts that parts_near() returns until it returns false. Returns
+/// false then.
 bool visit_parts_near(const PosedBody& body, const Aabb& box,
                       const std::function<bool(const PlacedPart&)>& visit);
 
@@ -53,29 +55,30 @@ void for_part_pairs(const PosedBody& a, const PosedBody& b, const Visit& visit) 
     return visit_parts_near(b, a.room > 0 ? grown(part_a.box, a.room) : part_a.box,
                             std::cref(visit_b));
   };
-  visit_parts_near(a, box_b, std::cref(visit_a));  // references: nothing is allocated
+  visit_parts_near(a, box_b, std::cref(visit_a));  // references, so that nothing is allocated
 }
 
-/// How two parts stand to each other, as two bodies of their own would.
+/// Returns the nearness of two parts, as that of two bodies of their own.
 Nearness nearness_of(const PlacedPart& a, const PlacedPart& b, const ManifoldSettings& settings);
 
-/// The same with their contacts, in the place of what `found` held: none if they are apart.
+/// Returns the nearness of two parts, and replaces what `found` held by their contacts: none if
+/// they are apart.
 Nearness contacts_of(const PlacedPart& a, const PlacedPart& b, const ManifoldSettings& settings,
                      Manifold& found);
 
-/// How far a part is from a shape that is A.
+/// The distance of a part, B, from a shape, A.
 struct PartDistance {
   ShapeDistance distance;
   std::uint32_t part = 0;
 };
-/// The nearest part that may meet it and is not farther than `most`, metres; of equal distances
-/// that of the least number. Of a pose that was checked.
+/// Returns the nearest part that may meet the shape and is not farther than `most`, metres; of
+/// equal distances that of the least number. The pose must have been checked.
 std::optional<PartDistance> nearest_part(const PlacedShapeView& shape, const PartsBody& whole,
                                          const Pose& pose, double most,
                                          const std::function<bool(const PlacedPart&)>& may_meet);
 
-/// No part is nearer to a shape than this, metres, if it is no more than `most`, and else than
-/// `most`. Likewise.
+/// Returns a length, metres, such that no part is nearer to a shape than that, if it is at most
+/// `most`, and else none is nearer than `most`. The pose must have been checked.
 double least_gap(const PlacedShapeView& shape, const PartsBody& whole, const Pose& pose,
                  double most);
 

@@ -8,7 +8,7 @@
 namespace graze {
 namespace {
 
-// So few parts are asked about one by one, which costs less than a gap that is measured.
+// Up to this many parts are asked about one by one, which costs less than measuring a gap.
 constexpr std::uint32_t kLeaf = 4;
 
 Aabb around(const std::vector<Aabb>& boxes, const std::vector<std::uint32_t>& places,
@@ -41,7 +41,7 @@ PartTree::PartTree(const std::vector<Aabb>& boxes) : places_(boxes.size()) {
   nodes_.shrink_to_fit();
 }
 
-/// Halves by the middles of boxes along the longest side; of equals by places.
+/// Splits boxes into halves by their middles along the longest side, equal ones by their places.
 std::uint32_t PartTree::build(const std::vector<Aabb>& boxes, std::uint32_t first,
                               std::uint32_t count) {
   const auto own = static_cast<std::uint32_t>(nodes_.size());

@@ -11,27 +11,29 @@
 
 namespace graze {
 
-/// It knows parts by their places in the list of boxes that it is made of.
+/// A tree that knows parts by their places in the list of boxes that it is made of.
 class PartTree {
  public:
-  /// O(n log n); up to 60 bytes for each box.
+  /// Builds the tree. It costs O(n log n), and up to 60 bytes for each box.
   explicit PartTree(const std::vector<Aabb>& boxes);
 
-  /// Is told of a part by its place; returns how far to look from then on, metres.
+  /// A function that is called with the place of a part, and returns how far to look from then on,
+  /// metres.
   using Look = std::function<double(std::uint32_t)>;
 
   /// Calls `look` for all parts that may be no farther than the limit, nearer branches first, but
-  /// not for those in branches that, with room around them, are apart from the box `within`. How
-  /// far a branch is its box tells first, and then the gap that is measured to that box.
+  /// not for those in branches that, with room around them, are apart from the box `within`. The
+  /// distance of a branch is first bounded by its box, and then by the measured gap to that box.
   void look_at_nearest(const std::optional<Aabb>& within, double room, const GapToParts& gap,
                        double limit, const Look& look) const;
 
  private:
   struct Node {
     Aabb box;
-    std::uint32_t first = 0;  ///< in `places_`
+    std::uint32_t first = 0;  ///< the first of its parts in `places_`
     std::uint32_t count = 0;
-    std::uint32_t second = 0;  ///< the one of two branches that does not follow; 0 for a leaf
+    std::uint32_t second = 0;  ///< the second branch, as the first one follows this node; 0 for a
+                               ///< leaf
   };
   struct Search;
 

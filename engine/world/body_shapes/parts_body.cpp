@@ -33,7 +33,7 @@ constexpr double kSmallDeviation = 0x1p-22;
 constexpr double kLargestShare = 0x1p12;
 constexpr double kFarthestRay = 0x1p19;
 
-// As bounds of shapes have it (shape_bounds.cpp), and what placing rounds.
+// The errors of the bounds of shapes (shape_bounds.cpp), and of placing.
 constexpr double kBoundsShare = 0x200p-53;
 constexpr double kReadings = 4;
 
@@ -48,7 +48,7 @@ double radius_of(const Aabb& box) {
   return std::sqrt((far.x() * far.x() + far.y() * far.y()) + far.z() * far.z()) * (1 + 0x8p-53);
 }
 
-/// R^T v.
+/// Returns R^T v.
 Eigen::Vector3d turned_back(const Pose& pose, const Eigen::Vector3d& v) {
   const double* m = pose.data();  // column-major 4x4
   Eigen::Vector3d back;
@@ -57,7 +57,7 @@ Eigen::Vector3d turned_back(const Pose& pose, const Eigen::Vector3d& v) {
   return back;
 }
 
-/// A point of the body's frame in the world.
+/// Takes a point of the body's frame to the world.
 Eigen::Vector3d placed_point(const Pose& pose, const Eigen::Vector3d& p) {
   const double* m = pose.data();
   Eigen::Vector3d at;
@@ -66,7 +66,8 @@ Eigen::Vector3d placed_point(const Pose& pose, const Eigen::Vector3d& p) {
   return at;
 }
 
-/// A box around the box of the world in the frame of the pose, about a point of that frame.
+/// Takes a box of the world to the frame of the pose: returns a box around it, computed about a
+/// point of that frame.
 Aabb taken_back(const Pose& pose, const Eigen::Vector3d& about, const Aabb& box) {
   const double* m = pose.data();
   const Eigen::Vector3d away = box.min / 2 + box.max / 2 - placed_point(pose, about);
@@ -97,7 +98,8 @@ double PartsBody::index_room() const {
   return kIndexRoom * extent_;
 }
 
-/// The sum of the deviations, at most three times that of the body for each entry, or each part.
+/// Checks the poses of parts: all at once by a bound for the sum of the deviations, in which that
+/// of the body counts three times, or else each part.
 void PartsBody::check_poses_of_parts(const Pose& pose, double deviation) const {
   const double most = (3 * deviation + deviation_) + (0x20p-53 + 3 * deviation * deviation_);
   const bool is_near = largest_of(pose.translation()) + radius_ <= kLargestLength / 2;
@@ -112,7 +114,7 @@ Aabb PartsBody::bounds(const Pose& pose) const {
   });
 }
 
-/// The boxes of parts, too, are within that of a box around them.
+/// Returns how to place boxes. Boxes of parts are within the placed box around them, too.
 BoxPlacing PartsBody::placing(const Pose& pose, double deviation) const {
   const double size = radius_ + largest_of(pose.translation());
   return {pose, kBoundsShare * size + 2 * kReadings * (deviation + deviation_) * radius_};
@@ -133,9 +135,9 @@ std::vector<PlacedPart> PartsBody::near(const Pose& pose, const Aabb& box, doubl
   return parts;
 }
 
-/// What of a box in the world may be near the parts, in the body's frame; nothing if that is not
-/// known well enough to look parts up. Of what is far larger than the body only what is near it
-/// need be taken there.
+/// Returns the part of a box in the world that may be near the parts, in the body's frame, or
+/// nothing if that is not known well enough to look parts up. Of a box that is far larger than the
+/// body only the part near it need be taken there.
 std::optional<Aabb> PartsBody::own_box(const Pose& pose, const Aabb& around,
                                        const Aabb& whole) const {
   const bool is_known = width_of(around) <= kLargestShare * extent_ &&
@@ -181,8 +183,8 @@ void PartsBody::look_at_nearest(const std::optional<Aabb>& own_box, const GapToP
     look(number);
 }
 
-/// The part of a ray from where it comes near the body, in the body's frame, and how much
-/// of it lies before that; nothing if that is not known well enough to look parts up.
+/// Returns the part of a ray from where it comes near the body, in the body's frame, and how much
+/// of it lies before that, or nothing if that is not known well enough to look parts up.
 std::optional<Ray> PartsBody::own_ray(const Pose& pose, const Ray& ray, double& skipped) const {
   const Eigen::Vector3d offset = placed_point(pose, middle_) - ray.origin;
   if (!(largest_of(pose.translation()) <= kFarthestShare * extent_ &&
@@ -190,7 +192,7 @@ std::optional<Ray> PartsBody::own_ray(const Pose& pose, const Ray& ray, double& 
         rotation_deviation(pose) <= kSmallDeviation)) {
     return std::nullopt;
   }
-  // Scaled first, as squares could overflow.
+  // The direction is scaled first, as squares could overflow.
   const Eigen::Vector3d scaled = ray.direction / largest_of(ray.direction);
   const Eigen::Vector3d unit =
       scaled /
@@ -226,7 +228,7 @@ std::optional<PartRayHit> PartsBody::first_hit(const Pose& pose, const Ray& ray,
       return std::max(shorter.max_distance - skipped, 0.0) + index_room();
     });
   };
-  visit_along(*own, std::cref(look));  // a reference: nothing is allocated
+  visit_along(*own, std::cref(look));  // a reference, so that nothing is allocated
   return first;
 }
 

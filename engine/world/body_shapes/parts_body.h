@@ -1,7 +1,6 @@
 #pragma once
 
-// A body of several parts as a world asks it: a compound, or a map of voxels. Private to
-// engine/world.
+// The BodyShape of several parts: a compound, or a map of voxels. Private to engine/world.
 
 #include <graze/engine/world/body.h>
 #include <graze/engine/world/body_shapes/gap_to_parts.h>
@@ -13,42 +12,44 @@
 
 namespace graze {
 
-/// A part in the world, or a shape that has none and counts as its own part 0.
+/// A part in the world, or a shape without parts that counts as its own part 0.
 struct PlacedPart {
   const BodyShape* shape;
   Pose pose;
-  Aabb box;              ///< as the broad phase would have it, but without room
-  const Filter* filter;  ///< of its own, or nullptr
+  Aabb box;              ///< the box that the broad phase would have, but without room
+  const Filter* filter;  ///< its own filter, or nullptr
   std::uint32_t number;
 };
 
-/// Where a ray meets a part.
+/// The place at which a ray meets a part, and the number of the part.
 struct PartRayHit {
   RayHit hit;
   std::uint32_t part = 0;
 };
 
-/// Immutable. Parts are looked up in the body's own frame by their boxes there, so that a pose
-/// costs nothing for each of them; those that are found are placed, and then stand as bodies do.
+/// An immutable body of parts. Parts are looked up in the body's own frame by their boxes there, so
+/// that a new pose costs nothing for each part; only parts that are found are placed, and then are
+/// treated as bodies.
 class PartsBody : public BodyShape {
  public:
-  /// Those whose boxes, with room around them, metres, share a point with a box in the world, but
-  /// for such that are surely farther from all that is in it; ascending.
+  /// Returns the parts whose boxes, with room around them, metres, share a point with a box in the
+  /// world, except parts that are surely farther than the room from all that is in it; ascending.
   std::vector<PlacedPart> near(const Pose& pose, const Aabb& box, double room) const;
-  /// Calls `visit(part)` for these until it returns false: the rest is not placed. False then.
+  /// Calls `visit(part)` for the parts that near() returns until it returns false; the rest is not
+  /// placed. Returns false then.
   bool visit_near(const Pose& pose, const Aabb& box, double room,
                   const std::function<bool(const PlacedPart&)>& visit) const;
-  /// Calls `visit(part)` for parts that may be no farther from the seeker than its limit: `visit`
-  /// says what that is from then on. Where there are many they come roughly nearest first.
+  /// Calls `visit(part)` for parts that may be no farther from the seeker than its limit; `visit`
+  /// returns the limit from then on. Where there are many parts they come roughly nearest first.
   void visit_nearest(const Pose& pose, const PartSeeker& seeker,
                      const std::function<double(const PlacedPart&)>& visit) const;
-  /// That part alone, in the world.
+  /// Returns one part, in the world.
   PlacedPart placed(const Pose& pose, std::uint32_t number) const;
-  /// No part is farther from the middle of them all, metres, or not much where that is far away
-  /// from the origin of the frame.
+  /// Returns a length, metres, such that no part is farther than that from the middle of all parts;
+  /// it is larger where the middle is far away from the origin of the frame.
   double extent() const { return extent_; }
-  /// Where a ray meets first a part whose filter, if it has one, and the given one, if there is
-  /// one, let it meet; of equal distances the least number.
+  /// Returns where a ray first meets a part. The part's own filter and the given one must let it
+  /// meet, if there are both; of equal distances the least number counts.
   std::optional<PartRayHit> first_hit(const Pose& pose, const Ray& ray,
                                       const std::optional<Filter>& filter) const;
 
@@ -70,26 +71,28 @@ class PartsBody : public BodyShape {
   struct OwnPart {
     const BodyShape* shape;
     Pose pose;
-    const Filter* filter;  ///< of its own, or nullptr
+    const Filter* filter;  ///< its own filter, or nullptr
   };
-  /// What is told of a ray: calls `look(number)` for parts along it, which says how far to look
-  /// from then on.
+  /// A function `look(number)` that is called for parts, and returns how far to look from then on.
   using Look = std::function<double(std::uint32_t)>;
 
-  /// To be called once, before any question: a box around the parts in their frame, and by how much
-  /// the pose of a part deviates from a rotation at most. Throws PoseError for what reaches beyond
-  /// kLargestLength.
+  /// Sets a box around the parts in their frame, and the most by which the pose of a part deviates
+  /// from a rotation. To be called once, before any question. Throws PoseError if parts reach
+  /// beyond kLargestLength.
   void set_frame(const Aabb& own, double deviation);
-  /// What own_box() and own_ray() round, and tolerances bring together: boxes have this room.
+  /// Returns the room of the boxes by which parts are looked up: it covers the rounding of
+  /// own_box() and own_ray(), and the tolerances within which shapes touch.
   double index_room() const;
   const Aabb& own() const { return own_; }
 
   virtual OwnPart part(std::uint32_t number) const = 0;
-  /// Calls `look(number)` for parts that may be no farther than a limit, which `look` returns. All
-  /// of them, or those whose boxes, with index_room(), share a point with a box of the own frame.
+  /// Calls `look(number)` for parts that may be no farther than a limit, which `look` returns anew:
+  /// for all such parts, or for those whose boxes, with index_room(), share a point with a box of
+  /// the own frame.
   virtual void look_at_nearest(const std::optional<Aabb>& own_box, const GapToParts& gap,
                                double limit, const Look& look) const;
-  /// Those whose boxes, with index_room(), share a point with a box of the own frame; ascending.
+  /// Returns the parts whose boxes, with index_room(), share a point with a box of the own frame;
+  /// ascending.
   virtual std::vector<std::uint32_t> parts_near(const Aabb& own_box) const = 0;
   virtual std::vector<std::uint32_t> all_parts() const = 0;
   /// Calls `look` for all parts whose boxes, with index_room(), the ray of the own frame meets, and
@@ -106,15 +109,16 @@ class PartsBody : public BodyShape {
 
   Aabb own_;
   Eigen::Vector3d middle_ = Eigen::Vector3d::Zero();
-  double radius_ = 0;  ///< about the frame's origin
-  double extent_ = 0;  ///< about the middle, and at least kFarthestShare^-1 of how far that is
+  double radius_ = 0;  ///< the radius about the frame's origin
+  double extent_ = 0;  ///< the radius about the middle, and at least kFarthestShare^-1 of the
+                       ///< distance of the middle
   double deviation_ = 0;
 };
 
-/// The shape as one of parts, or nullptr.
+/// Returns the shape as a body of parts, or nullptr if it is none.
 const PartsBody* as_parts(const BodyShape& shape);
 
-/// Whether a part's filter of its own lets it meet what has such a filter, where both are known.
+/// True if a part's own filter lets it meet a shape with the other filter, or if either is unknown.
 bool lets_part_meet(const Filter* part, const std::optional<Filter>& other);
 
 }  // namespace graze

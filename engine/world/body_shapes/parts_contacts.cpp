@@ -1,4 +1,4 @@
-// What a body of parts says to another shape directly, without a world: all of its parts together.
+// Answers of a body of parts about another shape, without a world: for all of its parts together.
 
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/engine/world/body_shapes/moving_parts.h>
@@ -22,7 +22,8 @@ class MergedManifold {
     }
   }
 
-  /// Features that are the same in pairs of other parts are told apart by their order.
+  /// Returns the manifold. Equal features from pairs of different parts are told apart by their
+  /// order.
   Manifold merged() {
     std::stable_sort(regions_.begin(), regions_.end(),
                      [](const Region& s, const Region& t) { return s.deepest > t.deepest; });
@@ -65,7 +66,7 @@ Manifold contacts_of_all(const PosedBody& a, const PosedBody& b, const ManifoldS
   return all.merged();
 }
 
-/// Which of two says more: what is earlier, and of those a hit.
+/// True if s is to be preferred to t: the earlier contact, and of equal times a hit.
 bool is_earlier(const RigidContact& s, const RigidContact& t) {
   if ((s.status == RigidStatus::Free) != (t.status == RigidStatus::Free))
     return t.status == RigidStatus::Free;

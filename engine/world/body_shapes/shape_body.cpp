@@ -1,4 +1,4 @@
-// What a world asks of a Shape, answered by the table of all pairs.
+// Answers the questions that a world asks of a Shape, by the table of all pairs.
 
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/engine/mesh/distance.h>
@@ -35,7 +35,7 @@ Manifold mirrored(Manifold manifold) {
   return manifold;
 }
 
-/// True for pairs whose test costs more than to measure and watch their gap.
+/// True for pairs whose test costs more than measuring and watching their gap.
 bool is_worth_a_gap(PairMethod method) {
   using enum PairMethod;
   return method == Cores || method == MeshVolume || method == MeshCore || method == Meshes;
@@ -45,7 +45,7 @@ double length_of(double x, double y, double z) {
   return std::sqrt((x * x + y * y) + z * z);
 }
 
-/// The distance of the farthest corner of the shape's own box from the frame's origin.
+/// Returns the distance of the farthest corner of the shape's own box from the frame's origin.
 double bounding_radius_of(const Shape& shape) {
   if (shape.kind() == ShapeKind::HalfSpace || shape.kind() == ShapeKind::Plane)
     return std::numeric_limits<double>::infinity();
@@ -56,7 +56,7 @@ double bounding_radius_of(const Shape& shape) {
   return length_of(side[0], side[1], side[2]) * (1 + 0x8p-53);
 }
 
-/// By how much a box as law 3 reads it may differ from the box of its placed corners.
+/// Returns by how much a box as law 3 reads it may differ from the box of its placed corners.
 double reading_of(const Shape& shape, double bounding_radius) {
   return shape.kind() == ShapeKind::Box ? 4 * kMaxRotationDeviation * bounding_radius : 0;
 }
@@ -132,7 +132,7 @@ class ShapeBody final : public BodyShape {
       }
       if (pair_method(shape_.kind(), shape->kind()) == PairMethod::Planes)
         return BodyShape::meet(pose, other, other_pose);
-      // Empty exactly when they do not touch.
+      // The manifold is empty exactly when the two do not touch.
       Manifold found;
       contacts_in_boxes({shape_, pose}, {*shape, other_pose}, shape_work(), found);
       if (found.empty()) return std::nullopt;
@@ -140,13 +140,13 @@ class ShapeBody final : public BodyShape {
     });
   }
 
-  // distance() proves a length by which the two can near each other before they meet. touches() may
-  // say "hit" at kTouchTolerance of the pair's scale before that. With s = the two bounding radii
-  // and the distance of the origins now, that scale is at most 6 s, and at most 12 s after a motion
-  // that is less than the gap, itself at most s. Placing, by law 1 or law 3, moves points by less
-  // than 0x10p-53 of the largest coordinates, of which a motion less than the gap makes at most s
-  // more. A box that meets a mesh is read by law 3, and by then in a pose that deviates from a
-  // rotation by as much as the door lets in: see bounding_aabb().
+  /// distance() proves a length by which the two can near each other before they meet. touches()
+  /// may say "hit" at kTouchTolerance of the pair's scale before that. With s = the two bounding
+  /// radii and the distance of the origins now, that scale is at most 6 s, and at most 12 s after a
+  /// motion that is less than the gap, itself at most s. Placing, by law 1 or law 3, moves points
+  /// by less than 0x10p-53 of the largest coordinates, of which a motion less than the gap makes at
+  /// most s more. A box that meets a mesh is read by law 3, and by then in a pose that may deviate
+  /// from a rotation by as much as is accepted: see bounding_aabb().
   double gap(const Pose& pose, const BodyShape& other, const Pose& other_pose) const override {
     return bvh::in_standard_arithmetic([&]() -> double {
       const Shape* shape = other.shape();
@@ -171,9 +171,9 @@ class ShapeBody final : public BodyShape {
     });
   }
 
-  /// A lower bound of the distance. Of two meshes the distance itself is seldom worth its cost: if
-  /// they are farther apart than a clearance, half of that is the bound, as distance() is off by
-  /// roundings of coordinates.
+  /// Returns a lower bound of the distance. The distance of two meshes itself is seldom worth its
+  /// cost: if they are farther apart than a clearance, half of that is the bound, as distance() is
+  /// off by the rounding of coordinates.
   double lower_bound(const Pose& pose, const Shape& shape, const Pose& other_pose,
                      double smaller_radius) const {
     const Mesh* mesh = shape_.as<Mesh>();

@@ -21,11 +21,11 @@ namespace {
 constexpr std::uint32_t kSideOfBlock = VoxelMap::kBlock;
 constexpr std::uint32_t kVoxelsOfBlock = kSideOfBlock * kSideOfBlock * kSideOfBlock;
 
-/// Of the largest coordinate: a plane is off by one rounding, a middle by two, its box by another,
-/// and the bounds of a box have as much room again.
+/// A share of the largest coordinate: a plane is off by one rounding, a middle by two, its box by
+/// another, and the bounds of a box have as much room again.
 constexpr double kPlaneShare = 0x8p-53;
 
-/// The part of a ray within a box, as a box; what it rounds is far less than index_room().
+/// Returns a box around the part of a ray within a box. Its rounding is far less than index_room().
 Aabb box_along(const Ray& ray, const Aabb& box) {
   double from = 0, to = ray.max_distance;
   for (int axis = 0; axis < 3; ++axis) {
@@ -59,7 +59,8 @@ VoxelBody::VoxelBody(const VoxelMap& map) : map_(map), box_(share(map.box())) {
   parts_near({own.min, own.min});  // sorts them, once for all threads
 }
 
-/// Around what is full, if anything is, with room for what boxes of voxels are rounded by.
+/// Returns a box around the full voxels of a cube, if there are any, with room for the rounding of
+/// the boxes of voxels.
 std::optional<Aabb> VoxelBody::box_of(const VoxelMap::Block& block, const BlockCube& cube) const {
   const VoxelGrid& grid = map_.grid();
   const unsigned mask = ((1u << cube.side) - 1) << cube.x;
@@ -87,7 +88,7 @@ std::optional<Aabb> VoxelBody::box_of(const VoxelMap::Block& block, const BlockC
   return grown(box, kPlaneShare * largest);
 }
 
-/// The least index of its voxels.
+/// Returns the least index of the voxels of a block along an axis.
 std::uint32_t VoxelBody::corner_of(const VoxelMap::Block& block, int axis) {
   return static_cast<std::uint32_t>(block.key >> 16 * axis & 0xffff) * kSideOfBlock;
 }
@@ -102,7 +103,7 @@ template <typename Visit>
 void VoxelBody::for_voxels_in(std::uint32_t place, const Aabb& own_box, const Visit& visit) const {
   const VoxelMap::Block& block = map_.blocks_[place];
   const VoxelGrid& grid = map_.grid();
-  // What planes and middles are rounded by is far less than the room; 2^-16 of an edge is for the
+  // The rounding of planes and middles is far less than the room; 2^-16 of an edge is for the
   // quotient, which matters between -1 and 17.
   std::uint32_t low[3], high[3];
   const double room = index_room();
@@ -144,14 +145,15 @@ std::vector<std::uint32_t> VoxelBody::all_parts() const {
 
 namespace {
 
-/// Something and how far it is away, at least.
+/// The number of a block or a cube, and a lower bound of its distance.
 struct NearNumber {
   double gap;
   std::uint32_t number;
   auto operator<=>(const NearNumber&) const = default;
 };
 
-/// Calls `look` for what is no farther than the limit, which it returns; nearest first.
+/// Calls `look` for all that are no farther than the limit, nearest first; `look` returns the new
+/// limit.
 template <typename LookAt>
 void look_in_order(std::span<NearNumber> near, double limit, const LookAt& look) {
   std::sort(near.begin(), near.end());
@@ -219,7 +221,7 @@ void VoxelBody::visit_along(const Ray& own_ray, const Look& look) const {
     for_voxels_in(place, along, [&](std::uint32_t number) { shorter.max_distance = look(number); });
     return shorter.max_distance;
   };
-  blocks_.visit_along(own_ray, std::cref(look_at));  // a reference: nothing is allocated
+  blocks_.visit_along(own_ray, std::cref(look_at));  // a reference, so that nothing is allocated
 }
 
 void VoxelBody::check_parts(const Pose& pose) const {

@@ -23,7 +23,7 @@ std::string name_of(const Voxel& voxel) {
          std::to_string(voxel.k) + ")";
 }
 
-/// The bits of a row from `first` to `last`.
+/// Returns the bits of a row from `first` to `last`.
 std::uint16_t bits_of(std::uint32_t first, std::uint32_t last) {
   return static_cast<std::uint16_t>((0xffffu >> (kBlockSide - 1 - (last - first))) << first);
 }

@@ -15,10 +15,10 @@
 namespace graze {
 namespace {
 
-constexpr std::size_t kChunk = 4096;  // boxes of a span that are checked at a time
+constexpr std::size_t kChunk = 4096;  // how many boxes of a span are checked at a time
 
-// Whether boxes are valid, of many at a time: least and greatest numbers take fewer instructions
-// than a class of each number. A comparison with what is no number is false.
+// Checks many boxes at a time: finding the least and the greatest numbers takes fewer instructions
+// than classifying each number. A comparison with NaN is false.
 class BoxCheck {
  public:
   void add(const Aabb& box) {
@@ -42,10 +42,10 @@ class BoxCheck {
 struct BroadPhase::State {
   explicit State(int threads) : tracker(threads) {}
 
-  IdTable<std::uint16_t> ids;  // two bytes a box
+  IdTable<std::uint16_t> ids;  ///< the ids, which take two bytes for each box
   bvh::OverlapTracker tracker;
   std::mutex preparing;
-  std::atomic<bool> is_ready{true};  // the trees fit the boxes
+  std::atomic<bool> is_ready{true};  ///< true if the trees fit the boxes
   BroadPhaseWork work;
 
   void check(BoxId id, const char* what) const {
@@ -58,8 +58,8 @@ struct BroadPhase::State {
 
   void set_changed() { is_ready.store(false, std::memory_order_relaxed); }
 
-  /// The boxes, ready for queries. The first query after a change sees to that, those that run at
-  /// the same time wait for it.
+  /// Returns the boxes, ready for queries. The first query after a change makes them ready, and
+  /// queries that run at the same time wait for it.
   const bvh::BoxSet& ready_set() {
     if (!is_ready.load(std::memory_order_acquire)) {
       const std::lock_guard lock(preparing);
@@ -71,7 +71,8 @@ struct BroadPhase::State {
     return tracker.set();
   }
 
-  /// Needs no bounds, but while others settle boxes may change places.
+  /// Returns a box. This needs no bounds of trees, but boxes may change places while another thread
+  /// makes them ready.
   bvh::OrderedBox box(std::uint32_t index) {
     if (is_ready.load(std::memory_order_acquire)) return tracker.set().store().box(index);
     const std::lock_guard lock(preparing);
@@ -89,8 +90,8 @@ BroadPhase::~BroadPhase() = default;
 BroadPhase::BroadPhase(BroadPhase&&) noexcept = default;
 BroadPhase& BroadPhase::operator=(BroadPhase&&) noexcept = default;
 
-// Public functions do their work in in_standard_arithmetic(): it sees to it that the CPU rounds as
-// all error bounds take for granted, and calls what it is given.
+// Public functions do their work in in_standard_arithmetic(), which makes the CPU round as all
+// error bounds assume while it calls the function that it is given.
 
 BoxId BroadPhase::add(const Aabb& box) {
   return bvh::in_standard_arithmetic([&]() -> BoxId {

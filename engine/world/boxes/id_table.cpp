@@ -5,7 +5,7 @@ namespace {
 
 constexpr std::size_t kGrowthShare = 8, kFew = 64;
 
-/// Not twice as much: a table of many would be mostly room.
+/// Makes room, but not for twice as much: a large table would be mostly room.
 template <typename T>
 void make_room_in(std::vector<T>& of, std::size_t size) {
   if (size > of.capacity()) of.reserve(size - 1 + size / kGrowthShare + kFew);
@@ -18,7 +18,7 @@ void IdTable<Generation>::prepare_take() {
   if (free_.empty()) make_room_in(generation_, generation_.size() + 1);
 }
 
-/// The index will rest, and then be among the free ones.
+/// Makes room for an index that will rest, and then be free.
 template <typename Generation>
 void IdTable<Generation>::prepare_free() {
   make_room_in(resting_[0], resting_[0].size() + 1);

@@ -7,31 +7,32 @@
 
 namespace graze {
 
-/// Which indices are in use, and by which generation. A freed index rests for two rounds before it
-/// is given out again, so that no list of the last round can name two different things by it; a
-/// round is from one update to the next. An index whose generations are used up, half as many as
-/// the type has or are allowed, is not given out again.
+/// Keeps track of which indices are in use, and by which generation. A freed index rests for two
+/// rounds before it is given out again, so that no list of the last round can name two different
+/// things by it; a round is from one update to the next. An index whose generations are used up,
+/// half as many as the type has or are allowed, is not given out again.
 template <typename Generation>
 class IdTable {
  public:
-  /// Generations stay below the limit, which is even; 0 for all that the type has.
+  /// Sets the limit that generations stay below, which is even; 0 allows all that the type has.
   void set_limit(Generation limit) { limit_ = limit; }
 
   std::uint32_t take();
   void free(std::uint32_t index);
 
-  /// Memory for the next one: take(), free(), next_round() will throw nothing. What throws has
-  /// changed nothing.
+  /// Make room, so that the next take(), free() or next_round() throws nothing. If they throw they
+  /// have changed nothing.
   void prepare_take();
   void prepare_free();
   void prepare_round();
 
-  /// What take() will return.
+  /// Returns what take() will return.
   std::uint32_t next() const {
     return free_.empty() ? static_cast<std::uint32_t>(generation_.size()) : free_.back();
   }
 
-  /// Begins a round. Throws nothing, unless the table is a copy: copies have no memory to spare.
+  /// Begins a round. It throws nothing, because free() has made room, unless the table is a copy:
+  /// copies have no memory to spare.
   void next_round();
 
   bool is_live(std::uint32_t index) const {
@@ -47,15 +48,16 @@ class IdTable {
  private:
   friend struct IdTableAccess;
   std::vector<Generation> generation_;  ///< odd while the index is in use
-  std::vector<std::uint32_t> free_;     ///< indices that may be taken, the last first
+  std::vector<std::uint32_t> free_;     ///< the indices that may be taken, the last one first
   std::array<std::vector<std::uint32_t>, 2> resting_;
   std::size_t live_count_ = 0;
   Generation limit_ = 0;
 };
 
-/// The way to all that a table holds, for those who keep it elsewhere.
+/// Gives access to the contents of a table, for code that stores them elsewhere.
 struct IdTableAccess {
-  /// `visit(generations, free, resting, older resting, live count, limit)`, each by reference.
+  /// Calls `visit(generations, free, resting, older resting, live count, limit)`, each by
+  /// reference.
   template <typename Table, typename Visit>
   static void visit(Table& table, const Visit& visit) {
     visit(table.generation_, table.free_, table.resting_[0], table.resting_[1], table.live_count_,

@@ -1,4 +1,4 @@
-// The contacts of what a convex shape touches of a mesh: over faces, edges and corners.
+// Finds the contacts over the faces, edges and corners of a mesh that a convex shape touches.
 
 #include <graze/engine/world/contacts/triangle_candidates.h>
 #include <graze/engine/world/shapes/pair_input.h>
@@ -23,11 +23,12 @@ using narrowphase::Vec3;
 
 namespace {
 
-// Of points that belong together the one is the other moved along the way out, to this share of the
-// shape's size.
+// Of two points that belong together, one is the other moved along the way out, to this share of
+// the shape's size.
 constexpr double kAlong = 0x1p-20;
 
-// A depth that lacks less than this share of the shape's size is the greatest.
+// A depth that is less than the greatest by no more than this share of the shape's size counts as
+// the greatest.
 constexpr double kSameDepth = 1e-6;
 
 Parting parting_of(const TouchedTriangle& member) {
@@ -49,12 +50,12 @@ Core segment(const Vec3& from, const Vec3& to) {
   return core;
 }
 
-// A point of a shape beside its deepest one: from this number on.
+// Points of a shape beside its deepest one have feature numbers from this on.
 constexpr std::uint64_t kBesideFeature = 0x30010;
 
-/// A number for where on a core a point is, by cells of an eighth of its radius.
+/// Returns a number for the place of a point on a core, by cells of an eighth of its radius.
 std::uint64_t place_on(const Core& core, const Vec3& point) {
-  // Points of what is symmetric are not near where one cell ends.
+  // The offset keeps points of symmetric shapes away from the borders of cells.
   constexpr double kCells = 8, kAside = 8.37;
   constexpr int kBits = 5;
   const double radius = core.bounding_radius + core.radius;
@@ -65,7 +66,7 @@ std::uint64_t place_on(const Core& core, const Vec3& point) {
   return place;
 }
 
-/// What an edge of a mesh, by its ends, and a corner are called in features.
+/// Return the features of an edge of a mesh, given by its ends, and of a corner.
 std::uint64_t edge_feature(std::uint64_t low, std::uint64_t high) {
   return std::uint64_t{1} << 62 | ((low ^ (high * 0x9E3779B1u)) & 0x3fffffff) << 32;
 }
@@ -73,12 +74,12 @@ std::uint64_t corner_feature(std::uint64_t vertex) {
   return std::uint64_t{1} << 63 | (vertex & 0x3fffffff) << 32;
 }
 
-/// Whether a feature is that of a point of a shape, of whatever part of a round side.
+/// True if a feature is that of a point of a shape, of any part of a round side.
 bool is_of_point(std::uint64_t feature) {
   return (feature & 0xffffffff) == narrowphase::kPointFeature;
 }
 
-/// One point of the mesh, and that of the shape so deep along the normal.
+/// Adds a point of the mesh, and the point of the shape that is as deep along the normal.
 void add_point(const Vec3& on_mesh, const Parting& parting, std::vector<ContactPoint>& found) {
   const Vec3 on_shape = on_mesh + parting.penetration.normal * parting.penetration.depth;
   found.push_back({on_shape, on_mesh, parting.penetration.normal, parting.penetration.depth,
@@ -87,8 +88,9 @@ void add_point(const Vec3& on_mesh, const Parting& parting, std::vector<ContactP
 
 }  // namespace
 
-/// Of the shape's face and a triangle. Depths are what lies between the points, which over faces
-/// that are only nearly at right angles to the exit may be more than the exit clears.
+/// Adds the contacts of the shape's face and a triangle. Depths are the distances of their points,
+/// which over faces that are only nearly at right angles to the exit may be more than the exit
+/// clears.
 void TriangleCandidates::add_over_face(const TouchedTriangle& face, const Parting& parting) {
   candidates_.found.clear();
   add_face_contact_points(bare(), face.triangle, bare(parting).penetration, candidates_.found,
@@ -102,8 +104,8 @@ void TriangleCandidates::add_over_face(const TouchedTriangle& face, const Partin
   take(face_feature(face.parting.triangle));
 }
 
-/// Where an edge or a corner says how to part, as at the rim of a table that a body leans on,
-/// faces that are nearly at right angles to that exit have contacts, too.
+/// Adds contacts of faces that are nearly at right angles to the exit of an edge or a corner, as at
+/// the rim of a table that a body leans on.
 void TriangleCandidates::add_near_faces(const TouchedTriangle& member) {
   const Parting parting = parting_of(member);
   candidates_.found.clear();
@@ -129,7 +131,7 @@ void TriangleCandidates::add_member(const TouchedTriangle& member) {
       if (is_held(s) && is_held(t)) return;
       add_contact_points(bare(), segment(member.triangle.corner[k], member.triangle.corner[next]),
                          bare(parting), candidates_.found, candidates_.margin);
-      // Beyond the end of this edge another is left.
+      // Beyond the end of this edge the body leaves another one.
       std::erase_if(candidates_.found, [&](const ContactPoint& touch) {
         const Vec3 off = touch.point_a - touch.point_b - touch.normal * touch.depth;
         return length(off) > kAlong * (core_.bounding_radius + core_.radius);
@@ -154,8 +156,8 @@ void TriangleCandidates::add_member(const TouchedTriangle& member) {
   }
 }
 
-/// The shape's deepest point along the way out, if the face that it leaves is above it: that part
-/// of the shape.
+/// Adds the shape's deepest point along the way out, if the face that it leaves is above that
+/// point.
 bool TriangleCandidates::add_deepest(const TouchedTriangle& member, std::uint64_t of_shape) {
   if (member.parting.feature != LeftFeature::Face) return false;
   const Parting parting = parting_of(member);
@@ -168,7 +170,8 @@ bool TriangleCandidates::add_deepest(const TouchedTriangle& member, std::uint64_
   add_point(foot, parting, candidates_.found);
   ContactPoint& touch = candidates_.found.back();
   touch.feature_a = of_shape;
-  // A surface that goes on nearly flat is beside the plane, and a needle's plane beside its tip.
+  // A surface that goes on nearly flat is beside the plane, and the plane of a needle is beside its
+  // tip.
   const bool is_member = *met == member.parting.triangle;
   if (!is_member || narrowphase::is_narrow(member.triangle)) {
     const Core triangle = is_member ? member.triangle : features_.placed_triangle(*met);
@@ -183,8 +186,8 @@ bool TriangleCandidates::add_deepest(const TouchedTriangle& member, std::uint64_
   return true;
 }
 
-/// Of a round face that ends over a rim of the mesh: where it is deepest over the triangles of a
-/// region, if that is deeper than its corners, or it has none there.
+/// Adds the point where a round face that ends over a rim of the mesh is deepest over the triangles
+/// of a region, if that is deeper than its corners, or if it has none there.
 void TriangleCandidates::add_over_rim(std::span<const TouchedTriangle> members, double deepest,
                                       std::uint64_t of_shape) {
   using enum narrowphase::CoreKind;
@@ -213,8 +216,8 @@ void TriangleCandidates::add_over_rim(std::span<const TouchedTriangle> members, 
   if (best) candidates_.list.push_back(*best);
 }
 
-/// Of a shape that is apart from the triangle, but for the margin, the nearest points, if they are
-/// so along the way out.
+/// Adds the nearest points of the triangle and a shape that touches it only by the margin, if they
+/// are nearest along the way out.
 void TriangleCandidates::add_nearest(const TouchedTriangle& member) {
   if (candidates_.margin == 0) return;
   const narrowphase::CoreGap gap = narrowphase::nearest(bare(), member.triangle);
@@ -227,7 +230,8 @@ void TriangleCandidates::add_nearest(const TouchedTriangle& member) {
   take(face_feature(member.parting.triangle));
 }
 
-/// A point of each surface, apart but for the margin, that need not lie along the normal.
+/// Adds a point of each surface, which are apart but for the margin and need not lie along the
+/// normal.
 void TriangleCandidates::add_apart(const Vec3& on_shape, const Vec3& on_mesh, const Vec3& normal) {
   const double margin = candidates_.margin;
   const double depth = std::max(dot(on_shape - on_mesh, normal) + margin, 0.0);
@@ -235,8 +239,8 @@ void TriangleCandidates::add_apart(const Vec3& on_shape, const Vec3& on_mesh, co
                                narrowphase::kPointFeature, narrowphase::kPointFeature});
 }
 
-/// A point of the mesh and where the shape ends before it along the normal; false if the line
-/// passes the shape, or ends more than the margin behind the point.
+/// Adds a point of the mesh and the point where the shape ends before it along the normal. Returns
+/// false if the line misses the shape, or ends more than the margin behind the point.
 bool TriangleCandidates::add_before(const Vec3& on_mesh, const Vec3& normal) {
   const double beyond = dot(rounded_support(core_, normal) - on_mesh, normal);
   const Vec3 origin = on_mesh + normal * (beyond + core_.bounding_radius + core_.radius);
@@ -249,26 +253,27 @@ bool TriangleCandidates::add_before(const Vec3& on_mesh, const Vec3& normal) {
   return true;
 }
 
-/// Where the deepest point lies beyond what is touched, as in a valley: the point of the triangle
-/// next to it, or to the shape's middle, or one that the two share, and where the shape ends behind
-/// it along the way out. So the normal stays that of the exit, whatever is deep.
+/// Adds a contact where the deepest point lies beyond the triangles that are touched, as in a
+/// valley: the point of the triangle next to that point, or to the shape's middle, or one that the
+/// two share, and the point where the shape ends behind it along the way out. So the normal stays
+/// that of the exit, whichever point is deepest.
 void TriangleCandidates::add_beside(const TouchedTriangle& member) {
   const Parting parting = parting_of(member);
   const Vec3& out = parting.penetration.normal;
   const Vec3 deepest = rounded_support(core_, out);
   candidates_.found.clear();
   const narrowphase::CoreGap shared = narrowphase::nearest(core_, member.triangle);
-  // Which of several points is deepest may be rounding.
+  // Which of several points is deepest may depend on rounding.
   std::uint64_t which = kBesideFeature + (place_on(core_, deepest) << 32);
   for (const Vec3& near : {deepest - out * parting.penetration.depth, core_.at, shared.point_b}) {
     ++which;
     if (!add_before(nearest_on_triangle(member.triangle, near), out)) continue;
-    candidates_.found.back().feature_a = which;  // another of these points is another contact
+    candidates_.found.back().feature_a = which;  // each of these points is a contact of its own
     return take(face_feature(member.parting.triangle));
   }
-  // The line through it leaves the shape beside it: the two graze each other there. What is found
-  // to be nearest may be apart by more than rounding, as for edges that all but lie along each
-  // other.
+  // The line through the shared point misses the shape: the two graze each other there. The nearest
+  // points that were found may be apart by more than rounding, as for edges that are almost
+  // parallel.
   if (candidates_.margin > 0) {
     const narrowphase::CoreGap gap = narrowphase::nearest(bare(), member.triangle);
     const Vec3 between = unit_or(gap.point_b - gap.point_a, out);
@@ -281,7 +286,7 @@ void TriangleCandidates::add_beside(const TouchedTriangle& member) {
   take(face_feature(member.parting.triangle));
 }
 
-/// How the shape parts soonest from a triangle alone.
+/// Adds a contact along the shortest way on which the shape parts from a triangle alone.
 void TriangleCandidates::add_alone(const TouchedTriangle& member) {
   using enum narrowphase::CoreKind;
   const Core& triangle = member.triangle;
@@ -298,7 +303,7 @@ void TriangleCandidates::add_alone(const TouchedTriangle& member) {
   take(face_feature(member.parting.triangle));
 }
 
-/// Whether a point that is meant to be on the shape's surface is there.
+/// True if a point that should be on the shape's surface is there.
 bool TriangleCandidates::is_on_shape(const Vec3& point) const {
   Core core;
   core.at = point;
@@ -313,7 +318,8 @@ void TriangleCandidates::take(std::uint64_t of_mesh) {
   }
 }
 
-/// Points over an edge that two triangles share are found with both: that of the first stays.
+/// Removes doubles: points over an edge that two triangles share are found with both, and that of
+/// the first stays.
 void TriangleCandidates::drop_doubles(std::size_t first) {
   std::vector<ContactPoint>& list = candidates_.list;
   if (list.size() - first > 64) return;  // reduce() leaves the farthest
@@ -334,7 +340,8 @@ void TriangleCandidates::drop_doubles(std::size_t first) {
   list.resize(kept);
 }
 
-/// Edges and corners of faces that count are those faces' business.
+/// True if a vertex is of a face that counts: contacts at its edges and corners are found with that
+/// face.
 bool TriangleCandidates::is_held(std::uint32_t vertex) const {
   return std::binary_search(s_.held.begin(), s_.held.end(), vertex);
 }

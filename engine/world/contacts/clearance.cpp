@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-// A linear programme of three dimensions with a square to minimise, solved by adding one constraint
-// after the other: where the last one is violated it is tight, and a problem of one dimension less
-// is left. Seidel, "Small-dimensional linear programming and convex hulls made easy" (1991).
+// This minimises a squared length under linear constraints in three dimensions, by adding one
+// constraint after the other: where the new one is violated it is tight, and a problem of one
+// dimension less is left. Seidel, "Small-dimensional linear programming and convex hulls made easy"
+// (1991).
 
 namespace graze {
 
@@ -36,7 +37,7 @@ void Clearance::add(const Exit& exit) {
   }
 }
 
-/// The shortest translation that satisfies the exits up to c, c with equality.
+/// Returns the shortest translation that satisfies the exits up to c, c with equality.
 std::optional<Vec3> Clearance::on_plane(std::size_t c) const {
   Vec3 x = exits_[c].direction * exits_[c].depth;
   for (std::size_t i = 0; i < c; ++i) {
@@ -48,7 +49,8 @@ std::optional<Vec3> Clearance::on_plane(std::size_t c) const {
   return x;
 }
 
-/// The same up to i, and c, these two with equality.
+/// Returns the shortest translation that satisfies the exits up to i, and c, these two with
+/// equality.
 std::optional<Vec3> Clearance::on_line(std::size_t c, std::size_t i) const {
   const Exit &s = exits_[c], &t = exits_[i];
   const Vec3 line = cross(s.direction, t.direction);

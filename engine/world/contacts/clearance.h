@@ -1,6 +1,6 @@
 #pragma once
 
-// The least translation that satisfies several ways out at once. Private to engine/world.
+// Finds the least translation that satisfies several ways out at once. Private to engine/world.
 
 #include <graze/narrowphase/convex/depth/facing_depth.h>
 
@@ -10,22 +10,23 @@
 
 namespace graze {
 
-/// Ways out that a body takes together.
+/// Several ways out that a body takes together.
 class Clearance {
  public:
-  /// Lengths below `tolerance`, metres, do not matter; every exit is exceeded by as much.
+  /// Begins without exits. Lengths below `tolerance`, metres, do not matter; every exit is exceeded
+  /// by as much.
   void start(double tolerance);
 
-  /// Takes another exit. Where no translation satisfies it with those before, as between two walls
-  /// that are too near to each other, or one of more than kMostTimes the depth, the translation
-  /// stays. O(n) for exits that come in no particular order, O(n^3) at worst.
+  /// Takes another exit. The translation stays as it is if no translation satisfies this exit with
+  /// those before, as between two walls that are too near to each other, or only one longer than
+  /// kMostTimes the depth. It costs O(n) for exits in random order, and O(n^3) at worst.
   void add(const narrowphase::Exit& exit);
 
-  /// The translation of least length that goes along each exit by its depth.
+  /// Returns the shortest translation that goes along each exit by its depth.
   const narrowphase::Vec3& translation() const { return translation_; }
 
-  /// Whether the translation goes along that exit by more than its depth. What only touches is not
-  /// left by a translation across.
+  /// True if the translation goes along that exit by more than its depth. So a translation across
+  /// does not leave what only touches.
   bool satisfies(const narrowphase::Exit& exit) const {
     return dot(translation_, exit.direction) >= exit.depth + 0.5 * tolerance_;
   }

@@ -19,12 +19,12 @@ using narrowphase::CoreGap;
 using narrowphase::Parting;
 using narrowphase::Vec3;
 
-// The tables' booleans have been asked before: what comes here touches, or is as near as the
-// margin, but for boxes without one.
+// Intersection has been tested before: all pairs here touch, or are as near as the margin, except
+// boxes without a margin.
 
 namespace {
 
-/// As below, of two spheres: where the formulas are short, cores cost more than the answer.
+/// Finds the candidates of two spheres: their formulas are so short that cores would cost more.
 bool candidates_of_spheres(const PlacedShapeView& a, const PlacedShapeView& b,
                            ContactCandidates& candidates) {
   const Sphere& sphere_a = *a.shape.as<Sphere>();
@@ -81,7 +81,7 @@ void candidates_of_cores(const PlacedShapeView& a, const PlacedShapeView& b,
   reduce_from(0, narrowphase::CoreSurfaces(core_a, core_b, candidates.margin), candidates);
 }
 
-// The axes along which they part mostly tell for sure whether they touch.
+// The axes along which boxes part mostly tell for sure whether they touch.
 void candidates_of_boxes(const PlacedShapeView& a, const PlacedShapeView& b,
                          ContactCandidates& candidates, Work& work) {
   using narrowphase::Verdict;
@@ -97,7 +97,7 @@ void candidates_of_boxes(const PlacedShapeView& a, const PlacedShapeView& b,
   reduce_from(0, narrowphase::CoreSurfaces(core_a, core_b, candidates.margin), candidates);
 }
 
-/// Of a convex set whose face faces a plane.
+/// The surfaces of a convex set with a face over a plane, and of the plane.
 class OverPlane final : public narrowphase::ContactSurfaces {
  public:
   OverPlane(const Core& core, double margin) : core_(core), margin_(margin) {}
@@ -140,7 +140,7 @@ void candidates_with_plane(const PlacedShapeView& a, const PlacedShapeView& b,
     found = std::max(found, depth);
     add(face.corner[i], (static_cast<std::uint64_t>(face.id) << 32) | face.corner_id[i]);
   }
-  // What the corners of a face leave out, above all of a round one, is the deepest point itself.
+  // The corners of a face, above all of a round one, may leave out the deepest point itself.
   const double size = core.bounding_radius + core.radius;
   const double least = narrowphase::least_offered(deepest + margin, {margin, size}) - tolerance;
   if (found + margin < 0 || found + margin < least) {

@@ -6,7 +6,7 @@ namespace graze {
 
 namespace {
 
-/// Says what one shape is made of at a point of the world, metres.
+/// Finds the material of one shape at a point of the world, metres.
 class Materials {
  public:
   Materials(const PlacedShapeView& placed, Work& work) : placed_(placed), work_(work) {

@@ -1,6 +1,6 @@
 #pragma once
 
-// What shapes are made of where they meet. Private to engine/world.
+// Finds the materials of shapes where they meet. Private to engine/world.
 
 #include <graze/engine/work.h>
 #include <graze/engine/world/manifold.h>
@@ -8,7 +8,8 @@
 
 namespace graze {
 
-/// Gives contacts of the two their materials, if a mesh or a height field among them has any.
+/// Sets the materials in the contacts of two shapes, if either is a mesh or a height field that has
+/// any.
 void add_materials(const PlacedShapeView& a, const PlacedShapeView& b, Manifold& found, Work& work);
 
 }  // namespace graze

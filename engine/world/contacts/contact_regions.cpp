@@ -9,7 +9,7 @@ using narrowphase::Vec3;
 
 namespace {
 
-// Lengths below this share of the body's size are no obstacle.
+// Lengths below this share of the body's size do not count as obstacles.
 constexpr double kNegligible = 1e-9;
 
 bool is_shorter(const TouchedTriangle& s, const TouchedTriangle& t) {
@@ -56,7 +56,7 @@ std::uint32_t ContactRegions::root_of(std::uint32_t member) {
   return member;
 }
 
-/// Members of one direction that share a corner are of one region, whose root is its first member.
+/// Members of one direction that share a corner are in one region, whose root is its first member.
 std::uint32_t ContactRegions::connect(std::vector<TouchedTriangle>& touched,
                                       const FacingFeatures& features) {
   parent_.resize(touched.size());

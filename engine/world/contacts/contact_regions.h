@@ -1,6 +1,6 @@
 #pragma once
 
-// The regions in which a convex body and a mesh meet, each with its way out. Private to
+// Finds the regions in which a convex body and a mesh meet, each with its way out. Private to
 // engine/world.
 
 #include <graze/engine/world/contacts/clearance.h>
@@ -16,32 +16,33 @@ namespace graze {
 struct TouchedTriangle {
   LocalParting parting;
   narrowphase::Core triangle;
-  double rank;                  ///< metres: exits are taken in this order, faces before edges
-  std::uint32_t direction = 0;  ///< number of the direction of the way out
+  double rank;                  ///< metres; exits are taken in ascending order of ranks, faces
+                                ///< before edges
+  std::uint32_t direction = 0;  ///< the number of the direction of the way out
   std::uint32_t region = 0;
 };
 
-/// Directions are one if the sine between them is below about 1e-6.
+/// True if the sine between two directions is below about 1e-6, so that they count as one.
 inline bool is_one_direction(const narrowphase::Vec3& s, const narrowphase::Vec3& t) {
   return dot(s, t) > 1 - 5e-13;
 }
 
-/// The member that speaks for a region: the deepest face, or where no face counts the deepest of
-/// all. Directions that count as one differ by as much as makes others a little deeper.
+/// Returns the member that stands for a region: the deepest face, or the deepest of all if there is
+/// no face. Directions that count as one differ enough to make others a little deeper.
 const TouchedTriangle& speaker_of(std::span<const TouchedTriangle> members);
 
-/// Finds out which of the touched triangles are in the way, and how they hang together. Law 15: the
-/// triangles are looked at in the order of their depth. What a body no longer touches once it has
-/// taken all ways out so far, by the least translation that does, is no contact: so the wall below
-/// a rim that a box rests on says nothing. Triangles that are left by one direction and share
-/// corners are a region.
+/// Finds which of the touched triangles are in the way, and how they are connected. By law 15 the
+/// triangles are looked at in the order of their depth. A triangle that the body no longer touches
+/// once it has taken all ways out so far, by the least translation that does so, makes no contact:
+/// so the wall below a rim that a box rests on makes none. Triangles that are left in one direction
+/// and share corners are a region.
 class ContactRegions {
  public:
-  /// Leaves of `touched` those that are in the way, and numbers their directions. Where no triangle
-  /// reaches into the body, which then touches by a tolerance alone, that is the one that comes
-  /// nearest to it: what touches has a region.
-  /// `is_apart(translation, triangle)` says whether the body, moved by the translation, is apart
-  /// from the triangle; `size` is the body's.
+  /// Leaves only the triangles in `touched` that are in the way, and numbers their directions. If
+  /// no triangle reaches into the body, which then touches by a tolerance alone, the triangle that
+  /// comes nearest to it is left, so that a body that touches has a region. `is_apart(translation,
+  /// triangle)` says whether the body, moved by the translation, is apart from the triangle; `size`
+  /// is the body's.
   template <typename IsApart>
   void select(std::vector<TouchedTriangle>& touched, double size, IsApart&& is_apart) {
     start(touched, size);
@@ -68,8 +69,8 @@ class ContactRegions {
     touched.resize(kept);
   }
 
-  /// Numbers the regions, and returns how many there are: triangles of one direction that hang
-  /// together by corners. Those of a region follow each other, ascending by depth.
+  /// Numbers the regions, which are triangles of one direction that are connected by corners, and
+  /// returns how many there are. The triangles of a region follow each other, ascending by depth.
   std::uint32_t connect(std::vector<TouchedTriangle>& touched, const FacingFeatures& features);
 
  private:

@@ -14,25 +14,26 @@ using narrowphase::Vec3;
 
 namespace {
 
-// Triangles whose height is below this share of their longest edge have no normal to speak of.
+// Triangles whose height is below this share of their longest edge have no meaningful normal.
 constexpr double kSliver = 1e-7;
 
 // Edges that turn by less than this, radians, are flat.
 constexpr double kFlat = 1e-6;
 
-// A corner faces a direction if that leads away from all its neighbours by more than this sine.
-// What leads to none but along an edge is what the edge faces, or the face: from a corner of a
-// straight edge, or of a flat face, a body is not led away along a normal of its own that leans by
-// rounding.
+// A corner faces a direction if that leads away from all its neighbours by more than this sine. A
+// direction that leads to no neighbour but along an edge is faced by the edge, or by the face: from
+// a corner of a straight edge, or of a flat face, a body is not led away along a normal of its own
+// that leans by rounding.
 constexpr double kFacedSine = 1e-6;
 
-// A point that is beyond an edge by less than this share of its place is on it.
+// A point that is beyond an edge by less than this share of its coordinates is on it.
 constexpr double kOnEdge = 0x1p-44;
 
-// So many slivers in a row are looked across.
+// The search looks across this many slivers in a row.
 constexpr int kMostSlivers = 8;
 
-/// In units of the longest edge, as squares of areas leave the range of double.
+/// True if a triangle is a sliver. It computes in units of the longest edge, as squares of areas
+/// could leave the range of double.
 bool is_thin(const Vec3& p, const Vec3& q, const Vec3& r) {
   const double longest = std::max({largest(q - p), largest(r - q), largest(p - r)});
   if (!(longest > 0)) return true;
@@ -46,7 +47,7 @@ class FacingFeatures::Narrowing {
  public:
   Narrowing(const Vec3& corner, const DirectionArc& arc) : corner_(corner), arc_(arc) {}
 
-  /// What is ahead of the edge must not be: `point` is one of a triangle beside it.
+  /// Narrows the arc to directions that `point`, of a triangle beside the edge, is not ahead in.
   void add(const Vec3& point) {
     const Vec3 offset = point - corner_;
     double down = -dot(offset, arc_.first);
@@ -55,7 +56,7 @@ class FacingFeatures::Narrowing {
     narrow_to(out, down);
     has_neighbour_ = true;
   }
-  /// The angle is at most that whose cosine and sine are to each other as these two.
+  /// Narrows the angle to that whose cosine and sine have the ratio of these two.
   void narrow_to(double cosine, double sine) {
     const double size = std::max(std::abs(cosine), std::abs(sine));
     if (!(size > 0)) return;
@@ -63,7 +64,7 @@ class FacingFeatures::Narrowing {
         1 / std::sqrt((cosine / size) * (cosine / size) + (sine / size) * (sine / size));
     cosine = cosine / size * share, sine = sine / size * share;
     if (sine < 0) cosine = 1, sine = 0;
-    // Of two angles up to half a turn the one with the greater cosine is the lesser.
+    // Of two angles up to half a turn, the one with the greater cosine is smaller.
     if (cosine > arc_.cosine) arc_.cosine = cosine, arc_.sine = sine;
   }
   void note_neighbour() { has_neighbour_ = true; }
@@ -97,13 +98,13 @@ Core FacingFeatures::placed_triangle(std::uint32_t index) const {
   return core_of(placed_corners(placing_, index));
 }
 
-/// Goes on over the edge that the point is farthest beyond.
+/// From each triangle the search goes on over the edge that the point is farthest beyond.
 std::optional<std::uint32_t> FacingFeatures::flat_triangle(std::uint32_t index, const Core& first,
                                                            const Vec3& point) const {
   constexpr int kMostSteps = 64;
   const Vec3 normal = unit_or(
       cross(first.corner[1] - first.corner[0], first.corner[2] - first.corner[0]), {0, 0, 1});
-  // A point on an edge is in both of its triangles, not beyond either's for the other.
+  // A point on an edge is in both of its triangles, and not beyond the edge of either.
   const double rounding = kOnEdge * (largest(point) + largest(first.corner[0]));
   Core triangle = first;
   for (int step = 0; step < kMostSteps; ++step) {
@@ -146,8 +147,8 @@ std::uint32_t FacingFeatures::vertex(std::uint32_t index, int k) const {
   return welded_[triangles_[index][static_cast<std::size_t>(k)]];
 }
 
-/// Goes through the triangles beside the edge from `low` to `high` but `without`, and where one is
-/// a sliver through those beyond it.
+/// Goes through the triangles beside the edge from `low` to `high`, except `without`, and through
+/// those beyond a sliver.
 void FacingFeatures::narrow(Narrowing& narrowing, const End& low, const End& high,
                             std::uint32_t without, int depth) const {
   std::span<const std::uint32_t> fan = fans_.around(low.vertex);

@@ -13,10 +13,11 @@ using narrowphase::Vec3;
 
 namespace {
 
-// Of exits that are as long to this share the one of the larger feature is taken.
+// Of exits that are equally long to this share, the one of the larger feature is taken.
 constexpr double kSameDepth = 1e-9;
 
-// An exit is surely too long if bounds say so by so many times what makes exits as long.
+// An exit is surely too long if its bound is too long by this many times the length below which
+// exits count as equal.
 constexpr double kSureTimes = 4;
 
 }  // namespace
@@ -53,16 +54,16 @@ std::optional<LocalParting> LocalPartings::below(double limit, std::uint32_t ind
     within[k] = dot(unit_or(cross(along, normal), normal), triangle.corner[k] - deepest);
   }
   const double same = kSameDepth * (core_.bounding_radius + core_.radius);
-  // Ways that are nearly as long as one below the limit have a say in which one is taken.
+  // Exits that are nearly as short as one below the limit influence which one is taken.
   const double too_long = limit + kSureTimes * same;
   bool is_complete = true;
-  // What is shorter than the best so far by its share.
+  // Returns the length below which an exit is shorter than the best so far, by its share.
   const auto shorter = [&] {
     const double depth = least.exit.depth;
     if (least.feature != LeftFeature::Face) return depth;
     return settings_.margin + settings_.face_share * (depth - settings_.margin);
   };
-  // Whether an exit of that depth is taken rather than the best so far.
+  // True if an exit of that depth is taken rather than the best so far.
   bool is_close = false;
   const auto beats = [&](double depth) {
     if (depth < shorter() - same) return true;
@@ -76,7 +77,7 @@ std::optional<LocalParting> LocalPartings::below(double limit, std::uint32_t ind
     if (within[k] >= enough) continue;
     const std::optional<DirectionArc> arc = features_.arc(index, k, triangle, normal);
     if (!arc) continue;
-    // The deepest point alone says that much: least at the ends of the arc.
+    // The deepest point alone gives a lower bound, which is least at the ends of the arc.
     const double at_end =
         (face_depth - core_.radius) * arc->cosine + within[k] * arc->sine + core_.radius;
     const double at_least = std::min(at_end, face_depth);
@@ -93,7 +94,7 @@ std::optional<LocalParting> LocalPartings::below(double limit, std::uint32_t ind
   for (int k = 0; k < 3; ++k) {
     if (std::min(within[k], within[(k + 2) % 3]) >= enough) continue;
     CornerExits exits(core_, triangle.corner[k]);
-    // A share of a negative depth is more than that.
+    // A share of a negative depth is more than the depth.
     const auto limit_of_any = [&] { return std::max(shorter(), least.exit.depth) - same; };
     while (const std::optional<Exit> exit = exits.next(limit_of_any())) {
       if (!beats(exit->depth)) continue;

@@ -18,7 +18,7 @@ using enum PairMethod;
 using narrowphase::ContactPoint;
 using narrowphase::Vec3;
 
-/// A's kind is not above B's.
+/// Finds the candidates of a pair in which A's kind is not above B's.
 void candidates_in_order(const PlacedShapeView& a, const PlacedShapeView& b,
                          ContactCandidates& candidates, Work& work) {
   switch (pair_method(a.shape.kind(), b.shape.kind())) {
@@ -48,8 +48,8 @@ void candidates_in_order(const PlacedShapeView& a, const PlacedShapeView& b,
                              name_of(b.shape.kind()) + ": no finite translation parts them");
 }
 
-/// Two contacts of one pair of features, as where an edge enters a face and leaves it again, are
-/// told apart by their order.
+/// Makes features unique: two contacts of one pair of features, as where an edge enters a face and
+/// leaves it again, are told apart by their order.
 void make_unique(Manifold& manifold) {
   constexpr std::uint64_t kNext = 1ull << 28;
   for (std::size_t i = 1; i < manifold.size(); ++i) {
@@ -62,7 +62,7 @@ void make_unique(Manifold& manifold) {
   }
 }
 
-/// The candidates of a region, and how deep it is.
+/// The candidates of a region, and its depth.
 struct Region {
   std::size_t first;
   std::size_t end;
@@ -83,7 +83,7 @@ void write_manifold(ContactCandidates& candidates, bool is_mirrored, Manifold& m
   regions.clear();
   for (const std::size_t end : candidates.ends) {
     const std::size_t first = regions.empty() ? 0 : regions.back().end;
-    double depth = 0;  // of A grown by the margin
+    double depth = 0;  // the depth of A grown by the margin
     for (std::size_t i = first; i < end; ++i)
       depth = std::max(depth, candidates.list[i].depth);
     regions.push_back({first, end, depth});
@@ -133,7 +133,7 @@ ContactCandidates& empty_candidates(double margin) {
 
 namespace {
 
-/// True where triangles are tested exactly: that they meet is found out along with how.
+/// True for pairs whose triangles are tested exactly, so that contacts tell whether they meet.
 bool is_one_question(PairMethod method) {
   return method == Meshes || method == MeshVolume;
 }
@@ -163,7 +163,7 @@ void contacts_in_boxes(const PlacedShapeView& a, const PlacedShapeView& b, Work&
     return add_materials(a, b, found, work);
   }
   const PairMethod method = pair_method(a.shape.kind(), b.shape.kind());
-  // Two boxes are one question, too, where those around them are known to overlap.
+  // Two boxes need only one question, too, if the boxes around them are known to overlap.
   const bool is_one = is_one_question(method) || method == BoxAxes;
   if (is_one || intersect_in_boxes(a, b, work)) find_of_touching(a, b, work, found);
   add_materials(a, b, found, work);
@@ -202,7 +202,7 @@ std::span<const ShapeContact> Manifold::region(std::size_t index) const {
   return {first, last};
 }
 
-/// Memory for so many contacts, more than fit into the manifold itself.
+/// Makes room for `count` contacts, which are more than fit into the manifold itself.
 void Manifold::make_room(std::size_t count) {
   if (count <= capacity_) return;
   const std::size_t capacity = std::max(count, 2 * capacity_);
@@ -217,7 +217,7 @@ void Manifold::add(const ShapeContact& contact) {
     few_[count_++] = contact;
     return;
   }
-  // It may be one of these, which make_room() moves.
+  // The contact may be one of the manifold's own, which make_room() moves.
   const ShapeContact added = contact;  // NOLINT(performance-unnecessary-copy-initialization)
   make_room(count_ + 1);
   if (count_ == kMostOfRegion) std::copy(few_.begin(), few_.end(), all_.get());

@@ -24,7 +24,8 @@ using narrowphase::Vec3;
 
 namespace {
 
-/// The lowest triangle of the mesh that comes as near to the point as rounding has moved it.
+/// Returns the triangle of the lowest number that is as near to the point as rounding may have
+/// moved it.
 std::uint32_t triangle_at(const PlacedMeshView& mesh, const Eigen::Vector3d& point) {
   const double size = largest(to_vec3(mesh.mesh.bounds().max) - to_vec3(mesh.mesh.bounds().min)) +
                       largest(to_vec3(point));
@@ -52,7 +53,7 @@ void candidates_of_mesh_core(const PlacedShapeView& a, const PlacedShapeView& b,
   });
   if (found.has_touched()) return found.finish();
   if (candidates.margin > 0) return;  // all that is near is behind its surface
-  // An exact hit that rounding keeps apart: the nearest triangle touches.
+  // This is an exact hit whose parts are apart by rounding: the nearest triangle counts as touched.
   std::uint32_t nearest = 0;
   double least = std::numeric_limits<double>::infinity();
   descent.for_each_within([&] { return least; },
@@ -67,8 +68,8 @@ void candidates_of_mesh_core(const PlacedShapeView& a, const PlacedShapeView& b,
 
 namespace {
 
-/// Whether a placed triangle and a box or a sphere share a point, exactly: as intersects() of a
-/// mesh and one of these decides.
+/// Decides exactly whether a placed triangle and a box or a sphere share a point, as intersects()
+/// of a mesh and one of these does.
 class ExactVolume {
  public:
   explicit ExactVolume(const PlacedShapeView& s) : pose_(s.pose) {
@@ -153,7 +154,8 @@ void candidates_of_mesh_plane(const PlacedShapeView& a, const PlacedShapeView& b
 
 namespace {
 
-/// Of meshes that touch in planes, along lines or in points: by their exact intersection.
+/// Finds the candidates of meshes that touch in planes, along lines or in points, by their exact
+/// intersection.
 void candidates_of_pieces(const PlacedShapeView& a, const PlacedShapeView& b,
                           ContactCandidates& candidates, Work& work) {
   const PlacedMeshView mesh_a{*a.shape.as<Mesh>(), a.pose};

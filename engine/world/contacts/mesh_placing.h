@@ -1,6 +1,6 @@
 #pragma once
 
-// Vertices of a placed mesh, for those who place thousands one by one. Private to engine/world.
+// Places vertices of a mesh, for code that places thousands one by one. Private to engine/world.
 
 #include <graze/engine/mesh/placed_mesh.h>
 #include <graze/narrowphase/convex/core/core.h>
@@ -11,8 +11,8 @@
 
 namespace graze {
 
-/// Law 1 as place() has it, operation by operation, less an origin. Functions are static as those
-/// of vector.h are.
+/// Places points by law 1 as place() does, operation by operation, and subtracts an origin.
+/// Functions are static as those of vector.h are.
 struct MeshPlacing {
   std::span<const Eigen::Vector3d> vertices;
   std::span<const TriangleIndices> triangles;
@@ -42,7 +42,7 @@ static inline PlacedCorners placed_corners(const MeshPlacing& by, std::uint32_t 
   return {{placed_vertex(by, of[0]), placed_vertex(by, of[1]), placed_vertex(by, of[2])}};
 }
 
-/// As core_of() a placed triangle.
+/// Returns the core of a placed triangle, as core_of() a Triangle does.
 static inline narrowphase::Core core_of(const PlacedCorners& triangle) {
   narrowphase::Core core;
   core.kind = narrowphase::CoreKind::Triangle;

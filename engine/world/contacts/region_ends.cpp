@@ -14,20 +14,20 @@ namespace {
 // Lengths below this share of the region's size do not matter.
 constexpr double kNegligibleLength = 1e-9;
 
-// Ends are as deep as the deepest point if they lack less than these shares of its depth and of the
-// region's size. With a thousandth tall stacks of drums sway on: whatever corner is no contact is
-// let down until it is one.
+// Ends count as deep as the deepest point if they are less deep by no more than these shares of its
+// depth and of the region's size. With a thousandth, tall stacks of drums keep swaying: a corner
+// that is no contact sinks until it is one.
 constexpr double kLevelDepth = 3e-3, kLevelSize = 1e-5;
 
-using Ends = std::array<std::size_t, 4>;  // the last points in four directions
+using Ends = std::array<std::size_t, 4>;  // the farthest points in four directions
 
-/// Column k of the pose's rotation.
+/// Returns column k of the pose's rotation.
 Vec3 axis_of(const Pose& pose, std::size_t k) {
   const double* m = pose.data() + 4 * (k % 3);  // column-major 4x4
   return {m[0], m[1], m[2]};
 }
 
-/// The axis of a frame that a direction is nearest to, 0 to 5.
+/// Returns the axis of a frame that a direction is nearest to, 0 to 5.
 std::uint64_t side_of(const Pose& pose, const Vec3& direction) {
   std::uint64_t best = 0;
   double most = -1;
@@ -45,11 +45,11 @@ std::size_t last_along(std::span<const MetPoints> met, const Vec3& direction, do
   return best;
 }
 
-/// In directions across the way out, which axis k of A is nearest to; askew to A's axes, as edges
-/// seldom are.
+/// Returns the ends in directions across the way out, to which axis k of A is the nearest. The
+/// directions are askew to A's axes, as edges seldom are.
 Ends ends_about(std::size_t k, std::span<const MetPoints> met, const RegionFrame& region) {
   constexpr double kCosine = 0.95, kSine = 0.31;
-  // How deep a point is does not tell how far out it is.
+  // The depth of a point must not count for how far out it is.
   const auto across = [&](const Vec3& along) {
     return along - region.exit * dot(along, region.exit);
   };
@@ -60,10 +60,10 @@ Ends ends_about(std::size_t k, std::span<const MetPoints> met, const RegionFrame
   return {last(u), last(v), last(u * -1), last(v * -1)};
 }
 
-/// Of what is level any point may be the deepest by rounding: an end stands for it. Else the
-/// deepest takes a place and its name, so that a solver finds the impulse of the last step: one
-/// that another has as well, or that of the deepest end, with which it is level where the two
-/// change places.
+/// Puts the deepest point among the ends. On level ground any point may be the deepest by rounding,
+/// and an end stands for it. Else the deepest point takes the place and the name of an end, so that
+/// a solver finds the impulse of the last step: of an end whose point is another end as well, or of
+/// the deepest end, with which it is level where the two change places.
 void take_deepest(Ends& ends, std::span<const MetPoints> met, const RegionFrame& region) {
   auto place = std::max_element(ends.begin(), ends.end(), [&](std::size_t s, std::size_t t) {
     return met[s].depth < met[t].depth;

@@ -1,6 +1,6 @@
 #pragma once
 
-// Which points stand for a region of two meshes. Private to engine/world.
+// Finds the points that stand for a region of two meshes. Private to engine/world.
 
 #include <graze/bvh/pose.h>
 #include <graze/narrowphase/convex/contact/contact_points.h>
@@ -11,33 +11,34 @@
 
 namespace graze {
 
-/// Where two meshes meet: points of either, and how deep they are, metres.
+/// A place where two meshes meet: a point of either, and their depth, metres.
 struct MetPoints {
   narrowphase::Vec3 a;
   narrowphase::Vec3 b;
   double depth;
 };
 
-/// A depth that lacks less than this share of the region's size is the greatest.
+/// A depth that is less than the greatest by no more than this share of the region's size counts as
+/// the greatest.
 inline constexpr double kSameMetDepth = 1e-9;
 
-/// What the points of a region have in common.
+/// The data that the points of a region share.
 struct RegionFrame {
   const Pose& pose_a;
   const Pose& pose_b;
-  narrowphase::Vec3 exit;  ///< unit, in which A leaves
-  double size;             ///< metres, of the region
-  double margin = 0;       ///< metres, that all depths have in them
+  narrowphase::Vec3 exit;  ///< the unit direction in which A leaves
+  double size;             ///< the size of the region, metres
+  double margin = 0;       ///< the margin that all depths contain, metres
 };
 
-/// The number of the deepest of the points, of which there is one at least; the first of those that
-/// are as deep.
+/// Returns the number of the deepest point, the first of those that are equally deep. There must be
+/// at least one point.
 std::size_t deepest_of(std::span<const MetPoints> met, double size);
 
-/// Adds the contacts that stand for a region, four at most: the ends in four directions that turn
-/// with A, and the deepest. A contact is known by the sides of A and of B that the way out leads to
-/// and by which end it is, so that it keeps its name while triangles change, and while the meshes
-/// touch, part as far as a margin allows, and touch again.
+/// Adds the contacts that stand for a region, at most four: the ends in four directions that turn
+/// with A, and the deepest. The feature of a contact consists of the sides of A and of B that the
+/// way out leads to and of which end it is, so that it stays while triangles change, and while the
+/// meshes touch, part as far as a margin allows, and touch again.
 void add_ends(std::span<const MetPoints> met, const RegionFrame& region,
               std::vector<narrowphase::ContactPoint>& contacts);
 

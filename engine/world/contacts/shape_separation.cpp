@@ -15,7 +15,8 @@ void check_is_convex(const Shape& shape, const char* name) {
                              " is a mesh, which is a surface and has no depth");
 }
 
-/// The contacts begin with the region, and that with the contact, of the greatest depth.
+/// Returns the separation by the first contact: the contacts begin with the deepest region, and a
+/// region with its deepest contact.
 ShapeSeparation deepest_of(const Manifold& contacts, PairStatus status) {
   const ShapeContact& deepest = contacts[0];
   return {0 - deepest.depth, deepest.point_a, deepest.point_b, deepest.normal, status};

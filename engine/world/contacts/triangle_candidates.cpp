@@ -28,12 +28,12 @@ void sort_by_number(std::span<TouchedTriangle> triangles) {
             });
 }
 
-/// Those of a shape and of the triangles of a region.
+/// The surfaces of a shape and of the triangles of a region.
 class RegionSurfaces final : public narrowphase::ContactSurfaces {
  public:
   struct Settings {
     double margin;  ///< metres, by which the shape is grown
-    double within;  ///< metres, what counts as on a triangle
+    double within;  ///< metres, within which a point counts as on a triangle
   };
   RegionSurfaces(const Core& core, std::span<const TouchedTriangle> members,
                  const Settings& settings)
@@ -97,21 +97,21 @@ void TriangleCandidates::add(std::uint32_t index, const Core& triangle) {
   if (!are_apart(core_, triangle, status)) offer(index, triangle);
 }
 
-/// How it parts without the margin, by a depth that may be negative.
+/// Returns the parting without the margin; its depth may be negative.
 Parting TriangleCandidates::bare(Parting parting) const {
   parting.penetration.depth -= candidates_.margin;
   return parting;
 }
 
-/// Whether the shape itself is wholly behind the triangle's plane: it does not touch the triangle,
-/// and what is near to it from behind is not led through it.
+/// True if the shape itself is wholly behind the triangle's plane: it does not touch the triangle,
+/// and a shape that is near from behind is not led through it.
 bool TriangleCandidates::is_behind(const Core& triangle) const {
   if (FacingFeatures::is_sliver(triangle)) return false;
   const Vec3 normal = LocalPartings::normal_of(triangle);
   return dot(rounded_support(bare(), normal) - triangle.corner[0], normal) < 0;
 }
 
-/// A triangle that the shape touches.
+/// Adds a triangle that the shape touches.
 void TriangleCandidates::offer(std::uint32_t index, const Core& triangle) {
   if (FacingFeatures::is_sliver(triangle)) {
     s_.slivers.push_back({{index, {}, LeftFeature::Face, 0}, triangle, 0, 0, 0});
@@ -125,8 +125,8 @@ void TriangleCandidates::offer(std::uint32_t index, const Core& triangle) {
   s_.touched.push_back({parting, triangle, rank, 0, 0});
 }
 
-/// Whether the shape has a polygon that faces a triangle of that normal. Triangles in a row have
-/// mostly one normal.
+/// True if the shape has a polygon that faces a triangle of that normal. The last answer is kept,
+/// because successive triangles mostly have one normal.
 bool TriangleCandidates::lies_on(const Vec3& normal) {
   if (normal.x != asked_normal_.x || normal.y != asked_normal_.y || normal.z != asked_normal_.z) {
     const narrowphase::ContactFace face = face_along(core_, -normal);
@@ -137,10 +137,10 @@ bool TriangleCandidates::lies_on(const Vec3& normal) {
 }
 
 void TriangleCandidates::finish() {
-  // Whatever the order in which a tree has them.
+  // The order must not depend on the tree.
   sort_by_number(s_.touched);
   sort_by_number(s_.slivers);
-  // Where slivers alone are touched, there is nothing that their normals could contradict.
+  // If only slivers are touched, there is nothing that their normals could contradict.
   if (s_.touched.empty()) return part_from_slivers();
   const double size = core_.bounding_radius + core_.radius;
   s_.all = s_.touched;
@@ -181,8 +181,9 @@ void TriangleCandidates::add_region(std::span<TouchedTriangle> members) {
   std::sort(s_.held.begin(), s_.held.end());
   const std::size_t before = candidates_.list.size();
   const TouchedTriangle speaker = speaker_of(members);
-  // The ways of triangles of one plane are as long but for rounding, which changes with each step:
-  // of points that two of them share that of the lower number stays.
+  // The exits of triangles of one plane are equally long but for rounding, which changes with each
+  // step. So the order is by number: of points that two triangles share that of the lower number
+  // stays.
   sort_by_number(members);
   if (s_.held.empty()) add_near_faces(speaker);
   for (const TouchedTriangle& member : members)
@@ -198,7 +199,7 @@ void TriangleCandidates::add_region(std::span<TouchedTriangle> members) {
   const bool is_of_face = most >= 0 && face_along(core_, -speaker.parting.exit.direction).count > 2;
   const std::uint64_t part_of_deepest =
       is_of_face ? narrowphase::kDeepestOfFace : narrowphase::kPointFeature;
-  // What the corners of a face leave out, above all of a round one, is the deepest point itself.
+  // The corners of a face, above all of a round one, may leave out the deepest point itself.
   if (most < least && !add_deepest(speaker, part_of_deepest)) {
     add_nearest(speaker);
     if (most >= 0 || candidates_.list.size() == before)

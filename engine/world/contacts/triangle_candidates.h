@@ -1,6 +1,6 @@
 #pragma once
 
-// The contact candidates of a convex shape and a mesh. Private to engine/world.
+// Finds the contact candidates of a convex shape and a mesh. Private to engine/world.
 
 #include <graze/engine/mesh/data/mesh_patch.h>
 #include <graze/engine/world/contacts/contact_functions.h>
@@ -13,18 +13,18 @@
 
 namespace graze {
 
-/// Of the triangles of a mesh that the shape touches: first each is added, then finish() finds the
-/// regions and their contacts. Slivers count where nothing else is touched, each by how it parts
-/// from the shape soonest.
+/// The candidates from the triangles of a mesh that the shape touches. First each triangle is
+/// added, then finish() finds the regions and their contacts. Slivers count only where nothing else
+/// is touched; each is parted from the shape along the shortest way.
 class TriangleCandidates {
  public:
-  /// The core is grown by the candidates' margin.
+  /// Begins without triangles. The core must be grown by the candidates' margin.
   TriangleCandidates(const narrowphase::Core& core, const PlacedMeshView& mesh,
                      ContactCandidates& candidates, Work& work);
 
-  /// A triangle that the shape may touch.
+  /// Adds a triangle that the shape may touch.
   void add(std::uint32_t index, const narrowphase::Core& triangle);
-  /// A triangle that it touches.
+  /// Adds a triangle that the shape touches.
   void offer(std::uint32_t index, const narrowphase::Core& triangle);
 
   bool has_touched() const { return !s_.touched.empty() || !s_.slivers.empty(); }
@@ -32,18 +32,18 @@ class TriangleCandidates {
   void finish();
 
  private:
-  // Points are on a surface to this share of the shape's size.
+  /// Points are on a surface to this share of the shape's size.
   static constexpr double kOnSurface = 0x1p-36;
 
-  /// Kept from one pair to the next, so that no step of a simulation allocates.
+  /// Memory that is kept from one pair to the next, so that no step of a simulation allocates.
   struct Scratch {
     std::vector<TouchedTriangle> touched, slivers, all;
-    std::vector<std::uint32_t> held;  ///< vertices of the faces of a region, ascending
+    std::vector<std::uint32_t> held;  ///< the vertices of the faces of a region, ascending
     ContactRegions regions;
   };
   static Scratch& scratch();
 
-  /// The shape without the margin.
+  /// Returns the shape without the margin.
   const narrowphase::Core& bare() const { return bare_ ? *bare_ : core_; }
   narrowphase::Parting bare(narrowphase::Parting parting) const;
   bool is_behind(const narrowphase::Core& triangle) const;
@@ -69,14 +69,14 @@ class TriangleCandidates {
   bool is_on_shape(const narrowphase::Vec3& point) const;
 
   const narrowphase::Core& core_;
-  std::optional<narrowphase::Core> bare_;  ///< where there is a margin
+  std::optional<narrowphase::Core> bare_;  ///< the shape without the margin, if there is one
   ContactCandidates& candidates_;
   FacingFeatures features_;
   MeshNumbers numbers_;
   LocalPartings partings_;
-  LocalPartings lying_;  ///< of what lies on a triangle with a face
+  LocalPartings lying_;  ///< the partings of a shape that lies on a triangle with a face
   Work& work_;
-  narrowphase::Vec3 asked_normal_;  ///< that lies_on() was asked about last
+  narrowphase::Vec3 asked_normal_;  ///< the normal that lies_on() was asked about last
   bool is_lying_ = false;
   Scratch& s_;
 };

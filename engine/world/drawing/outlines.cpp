@@ -14,7 +14,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Draws in one frame what `take` is given in the world's.
+/// Draws shapes in their own frame, and gives `take` the segments in the world's frame.
 class Outline {
  public:
   Outline(const Pose& pose, const WorldDrawingSettings& settings, const TakeLine& take)
@@ -82,7 +82,7 @@ class Outline {
     draw_edges(std::move(edges), [&](std::uint32_t i) { return mesh.vertices()[i]; });
   }
 
-  /// Each edge of the triangles once, as of their mesh.
+  /// Draws each edge of the triangles once, as for their mesh.
   void draw(const HeightField& field) {
     const auto is_cell = [&](std::int64_t c, std::int64_t r) {
       return c >= 0 && r >= 0 && c + 1 < field.columns() && r + 1 < field.rows() &&
@@ -99,8 +99,8 @@ class Outline {
     }
   }
 
-  /// A square about the point of the plane that is nearest to the frame's origin, its diagonals,
-  /// and its normal.
+  /// Draws a square about the point of the plane that is nearest to the frame's origin, its
+  /// diagonals, and its normal.
   void draw(const HalfSpace& half_space) {
     const Vector3d& normal = half_space.normal;
     const Vector3d middle = half_space.offset * normal;
@@ -115,7 +115,7 @@ class Outline {
     line(middle, middle + normal * (settings_.half_space_extent / 4));
   }
 
-  /// The same square, and both normals.
+  /// Draws the same square as for a half-space, and both normals.
   void draw(const Plane& plane) {
     draw(HalfSpace{plane.normal, plane.offset});
     const Vector3d middle = plane.offset * plane.normal;
@@ -127,7 +127,7 @@ class Outline {
 
   void line(const Vector3d& from, const Vector3d& to) { take_(pose_ * from, pose_ * to); }
 
-  /// From `middle + u` towards `middle + v`, so much of a turn.
+  /// Draws an arc from `middle + u` towards `middle + v`, of a share of a full turn.
   void arc(const Vector3d& middle, const Vector3d& u, const Vector3d& v, double turns) {
     const auto count =
         static_cast<std::size_t>(std::ceil(turns * static_cast<double>(settings_.segments)));

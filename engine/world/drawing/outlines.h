@@ -7,14 +7,14 @@
 
 namespace graze {
 
-/// Takes one segment, in the world's frame.
+/// A function that takes one segment, in the world's frame.
 using TakeLine = std::function<void(const Eigen::Vector3d& from, const Eigen::Vector3d& to)>;
 
-/// Edges, and circles and profiles of what is round, in the shape's frame and then placed.
+/// Draws the edges of a shape, and the circles and profiles of round sides.
 void outline(const PlacedShapeView& shape, const WorldDrawingSettings& settings,
              const TakeLine& take);
 
-/// The twelve edges of a box.
+/// Draws the twelve edges of a box.
 void outline(const Aabb& box, const TakeLine& take);
 
 }  // namespace graze

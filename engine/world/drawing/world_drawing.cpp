@@ -33,7 +33,7 @@ Eigen::Vector3d middle_of(const Aabb& box) {
   return box.min / 2 + box.max / 2;
 }
 
-/// Hands what is drawn to the user, who computes as he does.
+/// Hands drawings to the user's drawer, which is called in the user's arithmetic.
 class Drawing {
  public:
   Drawing(WorldDrawer& drawer, const WorldDrawingSettings& settings)
@@ -128,7 +128,7 @@ void draw(const PlacedShapeView& shape, WorldDrawer& drawer, const WorldDrawingS
           BodyId body) {
   bvh::in_standard_arithmetic([&] {
     check(settings);
-    const Aabb box = bounding_aabb(shape);  // refuses poses that are none
+    const Aabb box = bounding_aabb(shape);  // throws for poses that are not rigid
     Drawing drawing(drawer, settings);
     if (settings.has_shapes) drawing.draw_shape(shape, body);
     if (settings.has_boxes) drawing.draw_box(box, body);

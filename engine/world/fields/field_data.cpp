@@ -17,7 +17,7 @@ CellRect HeightFieldData::cells_of(const CellSquare& square) const {
 
 HeightRange HeightFieldData::range_of(const CellSquare& square) const {
   if (square.level > FieldTile::kLevel) {
-    const int above = square.level - FieldTile::kLevel;  // 4^above tiles along a side
+    const int above = square.level - FieldTile::kLevel;  // there are 4^above tiles along a side
     const std::uint32_t side = 1u << (CellSquare::kShift * above);
     const std::uint32_t columns_here = (tile_columns + side - 1) / side;
     return upper[static_cast<std::size_t>(above - 1)]

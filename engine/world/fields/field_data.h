@@ -1,6 +1,6 @@
 #pragma once
 
-// What the handles of one height field share. Private to engine/world.
+// The data that the handles of one height field share. Private to engine/world.
 
 #include <graze/engine/world/height_field.h>
 
@@ -24,7 +24,7 @@ struct HeightRange {
   }
 };
 
-/// Cells of a field: from the first up to and without the last, or none.
+/// A rectangle of cells of a field, from the first up to but without the last; it may be empty.
 struct CellRect {
   std::uint32_t first_column = 0, first_row = 0;
   std::uint32_t last_column = 0, last_row = 0;
@@ -36,10 +36,11 @@ struct CellRect {
   bool operator==(const CellRect&) const = default;
 };
 
-/// A square of cells: those of which column and row, divided by width(), are these. Squares of one
-/// level have 4 by 4 of the level below.
+/// A square of cells: those whose column and row, divided by width(), are its column and row. A
+/// square of one level holds 4 by 4 squares of the level below.
 struct CellSquare {
-  static constexpr std::uint32_t kBlock = 8;  ///< cells along a side of one of level 0
+  static constexpr std::uint32_t kBlock = 8;  ///< the number of cells along a side of a square of
+                                              ///< level 0
   static constexpr int kShift = 2;
 
   int level = 0;
@@ -48,23 +49,25 @@ struct CellSquare {
   std::uint64_t width() const { return std::uint64_t{kBlock} << (kShift * level); }
 };
 
-/// Heights and cells of which column and row, divided by kSide, are the same. Immutable, and shared
-/// by the fields that with_heights() makes of each other.
+/// The heights and cells whose column and row, divided by kSide, are the same. It is immutable, and
+/// shared by the fields that with_heights() makes of each other.
 struct FieldTile {
   static constexpr std::uint32_t kSide = 128;
-  static constexpr int kLevel = 2;  ///< of the square that a tile is
+  static constexpr int kLevel = 2;  ///< the level of the square that a tile is
   static constexpr std::uint32_t kBlocks = kSide / CellSquare::kBlock;
 
-  std::uint32_t columns = 0;  ///< of heights in this tile
+  std::uint32_t columns = 0;  ///< the number of columns of heights in this tile
   std::uint32_t rows = 0;
   std::vector<float> floats;  ///< one of these two is empty
   std::vector<std::uint16_t> shorts;
-  std::vector<std::uint8_t> materials;  ///< of kSide rows of kSide cells; empty if all are 0
-  std::vector<std::uint64_t> holes;  ///< two words for each of kSide rows; empty if there is none
-  std::vector<HeightRange> blocks;   ///< kBlocks rows of kBlocks
-  std::vector<HeightRange> groups;   ///< 4 rows of 4, of 4 by 4 blocks each
+  std::vector<std::uint8_t> materials;  ///< the materials of kSide rows of kSide cells; empty if
+                                        ///< all are 0
+  std::vector<std::uint64_t> holes;  ///< two words of bits for each of kSide rows; empty if there
+                                     ///< is no hole
+  std::vector<HeightRange> blocks;   ///< the ranges of kBlocks rows of kBlocks squares
+  std::vector<HeightRange> groups;   ///< the ranges of 4 rows of 4 squares, of 4 by 4 blocks each
   HeightRange all;
-  CellRect cells;  ///< the smallest rectangle around those that are no holes
+  CellRect cells;  ///< the smallest rectangle around all cells that are no holes
 
   float stored(std::uint32_t column, std::uint32_t row) const {
     const std::size_t at = std::size_t{row} * columns + column;
@@ -77,14 +80,15 @@ struct FieldTile {
 };
 
 struct HeightFieldData {
-  std::uint32_t columns = 0, rows = 0;  ///< of heights
+  std::uint32_t columns = 0, rows = 0;  ///< the numbers of columns and rows of heights
   double spacing_x = 1, spacing_y = 1, height_scale = 1, height_offset = 0;
   bool has_floats = true;
-  bool has_materials = false;  ///< other than 0
-  std::uint64_t serial = 0;    ///< no two fields have the same
+  bool has_materials = false;  ///< whether any material is not 0
+  std::uint64_t serial = 0;    ///< a number that no two fields share
   std::uint32_t tile_columns = 0, tile_rows = 0;
   std::vector<std::shared_ptr<const FieldTile>> tiles;
-  /// Above the tiles: of squares of level kLevel + 1 + i, row by row. The last has one.
+  /// The ranges of squares above the tiles: those of level kLevel + 1 + i, row by row. The last
+  /// level has one square.
   std::vector<std::vector<HeightRange>> upper;
   Aabb bounds;
 
@@ -108,8 +112,8 @@ struct HeightFieldData {
     return tile.materials[row % FieldTile::kSide * FieldTile::kSide + column % FieldTile::kSide];
   }
 
-  // The definition of the surface: each operation rounded. Rounding is monotone, so that what is
-  // between two heights lies between their points.
+  /// These three functions define the surface: each operation is rounded. Rounding is monotone, so
+  /// that a height between two others gives a point between theirs.
   double x(std::uint32_t column) const { return column * spacing_x; }
   double y(std::uint32_t row) const { return row * spacing_y; }
   double z(float height) const {
@@ -122,21 +126,21 @@ struct HeightFieldData {
   std::uint32_t vertex_number(std::uint32_t column, std::uint32_t row) const {
     return row * columns + column;
   }
-  /// Of the first triangle of a cell.
+  /// Returns the number of the first triangle of a cell.
   std::uint32_t triangle_number(std::uint32_t column, std::uint32_t row) const {
     return 2 * (row * cell_columns() + column);
   }
   Triangle triangle(std::uint32_t number) const;
 
-  /// The square of all cells.
+  /// Returns the square of all cells.
   CellSquare root() const;
-  /// The cells of a square, as far as the field has them.
+  /// Returns the cells of a square that the field has.
   CellRect cells_of(const CellSquare& square) const;
   HeightRange range_of(const CellSquare& square) const;
-  /// The box around the cells, or what of them is in a rectangle, whose heights are in a range.
+  /// Returns the box around cells whose heights are in a range.
   Aabb box_of(const CellRect& cells, const HeightRange& range) const;
 
-  /// Calls `visit(square)` for those of the 4 by 4 squares below one that have cells.
+  /// Calls `visit(square)` for those of the 4 by 4 squares below a square that have cells.
   template <typename Visit>
   void for_children(const CellSquare& square, const Visit& visit) const {
     const std::uint32_t column = square.column << CellSquare::kShift;
@@ -149,11 +153,11 @@ struct HeightFieldData {
     }
   }
 
-  /// Of tiles that have their heights and cells: the rest.
+  /// Computes the rest from tiles that have their heights and cells.
   void finish();
 };
 
-/// The way to what the handles share.
+/// Gives access to the data of a height field.
 struct HeightFieldAccess {
   static const HeightFieldData& data(const HeightField& field) { return *field.data_; }
 };

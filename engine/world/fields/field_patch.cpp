@@ -11,13 +11,13 @@ namespace graze {
 
 namespace {
 
-/// Columns of one row: from the first up to and without the last.
+/// Some columns of one row, from the first up to but without the last.
 struct Span {
   std::uint32_t row, first, last;
-  std::size_t before = 0;  ///< how many there are in all spans before
+  std::size_t before = 0;  ///< how many columns all spans before have
 };
 
-/// Those that touch are one after this, row by row.
+/// Sorts spans row by row, and joins those that touch.
 void merge(std::vector<Span>& spans) {
   std::sort(spans.begin(), spans.end(), [](const Span& s, const Span& t) {
     return s.row != t.row ? s.row < t.row : s.first < t.first;
@@ -37,7 +37,7 @@ void merge(std::vector<Span>& spans) {
   spans.resize(kept);
 }
 
-/// Where a vertex is among those of the spans.
+/// Returns the index of a vertex among those of the spans.
 std::uint32_t index_in(const std::vector<Span>& spans, std::uint32_t row, std::uint32_t column) {
   const auto after =
       std::upper_bound(spans.begin(), spans.end(), std::pair(row, column),
@@ -79,7 +79,7 @@ void add_triangles(const HeightFieldData& field, const std::vector<Span>& cells,
   }
 }
 
-/// Which vertices lie where the rectangle ends and the field does not.
+/// Marks the vertices that lie where the rectangle ends and the field does not.
 void mark_rim(const HeightFieldData& field, const CellRect& rect, MeshPatch& patch) {
   const bool is_below = rect.first_row > 0, is_above = rect.last_row < field.cell_rows();
   const bool is_left = rect.first_column > 0;
@@ -94,7 +94,7 @@ void mark_rim(const HeightFieldData& field, const CellRect& rect, MeshPatch& pat
   }
 }
 
-/// As below, without a list of spans.
+/// Makes the patch of one rectangle, which needs no list of spans.
 MeshPatch patch_of_rect(const HeightFieldData& field, const CellRect& rect) {
   MeshPatch patch;
   patch.bounds = field.bounds;
@@ -170,7 +170,7 @@ std::size_t place_of(std::uint64_t serial, const CellRect& rect, std::size_t pla
 }  // namespace
 
 Mesh kept_patch_of(const HeightFieldData& field, const CellRect& rect) {
-  // Some 140 bytes a cell: 20 MB at the very most.
+  // A cell takes some 140 bytes, so that these are 20 MB at the very most.
   constexpr std::size_t kMostKept = 512;
   constexpr std::uint64_t kMostCells = 256;
   if (rect.count() > kMostCells) return patch_of(field, std::span(&rect, 1));

@@ -1,6 +1,6 @@
 #pragma once
 
-// Cells of a height field as a mesh. Private to engine/world.
+// Makes meshes of cells of a height field. Private to engine/world.
 
 #include <graze/engine/world/fields/field_data.h>
 
@@ -9,12 +9,13 @@
 
 namespace graze {
 
-/// The triangles of the cells in these rectangles that are no holes, as a mesh that answers as the
-/// whole field's does near them (mesh_patch.h). At least one cell must be none.
+/// Returns the triangles of the cells in these rectangles that are no holes, as a mesh that answers
+/// as the whole field's does near them (mesh_patch.h). At least one cell must be no hole.
 Mesh patch_of(const HeightFieldData& field, std::span<const CellRect> rects);
 
-/// The same of one rectangle. This thread keeps some hundreds if they are small: a body that stays
-/// where it is, or several at one place, ask for the same, which changes no answer.
+/// Returns the patch of one rectangle. This thread keeps some hundreds of them if they are small,
+/// as a body that stays where it is, or several bodies at one place, ask for the same one. This
+/// changes no answer.
 Mesh kept_patch_of(const HeightFieldData& field, const CellRect& rect);
 
 }  // namespace graze

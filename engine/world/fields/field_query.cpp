@@ -108,7 +108,7 @@ void FieldQuery::move(const Pose& pose, const Vector3d& displacement) {
                           0.0);
 }
 
-/// Of its lowest corner.
+/// Returns the height of the lowest corner above the half-space's plane.
 double FieldQuery::height_above(const Aabb& box) const {
   double low = -offset_;
   for (int k = 0; k < 3; ++k) {
@@ -117,7 +117,7 @@ double FieldQuery::height_above(const Aabb& box) const {
   return low;
 }
 
-// A box that goes meets another if its corner's path enters the other, grown by its sides.
+// A box that moves meets another if the path of its corner enters the other, grown by its sides.
 bool FieldQuery::meets(const Aabb& box) const {
   if (is_plane_) return !(height_above(box) > 0);
   double enter = 0, exit = 1;
@@ -126,8 +126,8 @@ bool FieldQuery::meets(const Aabb& box) const {
     const double high = box.max.data()[k] - box_.min.data()[k];
     const double component = displacement_.data()[k];
     if (low > std::max(component, 0.0) || high < std::min(component, 0.0)) return false;
-    // Products and quotients are off by 2^-50 of numbers below 1; where the component is so short
-    // that they overflow its ends have decided.
+    // Products and quotients are off by 2^-50 of numbers below 1. If the component is so short that
+    // they overflow, its ends have decided.
     if (!(std::abs(component) > 0x1p-900)) continue;
     const double at_low = low / component, at_high = high / component;
     enter = std::max(enter, std::min(at_low, at_high));
@@ -154,7 +154,8 @@ double FieldQuery::gap_to(const Aabb& box) const {
 
 namespace {
 
-/// The cells along an axis that come to between low and high, of so many; rounded outward.
+/// Cuts the cells from `first` to `last` along an axis to those between low and high, rounded
+/// outward.
 void cut(double low, double high, double spacing, std::uint32_t& first, std::uint32_t& last) {
   const double most = last;
   const double from = std::floor(low / spacing * (1 - 0x1p-50)) - 1;
@@ -200,7 +201,7 @@ class SquareWalk {
     return goes_on;
   }
 
-  /// From the smallest square of the hierarchy that holds the rectangle.
+  /// Walks down from the smallest square of the hierarchy that holds the rectangle.
   template <typename Visit>
   bool all(const Visit& visit) const {
     if (within_.is_empty()) return true;

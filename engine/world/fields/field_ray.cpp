@@ -12,7 +12,7 @@ namespace graze {
 
 namespace {
 
-/// One ray, from near to far.
+/// Follows one ray, from near to far.
 class FieldRay {
  public:
   FieldRay(const HeightFieldData& field, const Pose& pose, const Ray& ray, Work& work)
@@ -32,7 +32,8 @@ class FieldRay {
       direction[k] = (m[4 * k] * d[0] + m[4 * k + 1] * d[1]) + m[4 * k + 2] * d[2];
     }
     slabs_ = bvh::RaySlabs(origin, direction);
-    // As ray_frame_of() derives it: 3 dev and some 256 u of these sizes, and law 1's rounding.
+    // The pad covers what ray_frame_of() derives: 3 dev and some 256 u of these sizes, and law 1's
+    // rounding.
     const double placed = std::abs(m[12]) + std::abs(m[13]) + std::abs(m[14]);
     pad_ = (32 * rotation_deviation(pose) + 0x1p-40) * sizes + 0x1p-46 * placed;
   }
@@ -83,7 +84,7 @@ class FieldRay {
     }
   }
 
-  /// Below a square there are no ranges of heights but those of cells.
+  /// Halves rectangles of cells: below a square only single cells have ranges of heights.
   void split(const CellRect& cells, const HeightRange& range) {
     const std::uint32_t columns = cells.last_column - cells.first_column;
     const std::uint32_t rows = cells.last_row - cells.first_row;

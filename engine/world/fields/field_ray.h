@@ -1,6 +1,6 @@
 #pragma once
 
-// What a ray meets of a height field. Private to engine/world.
+// Casts rays at height fields. Private to engine/world.
 
 #include <graze/bvh/pose.h>
 #include <graze/bvh/ray.h>
@@ -12,8 +12,8 @@
 
 namespace graze {
 
-/// As cast_ray() of the field's mesh, whose triangles have the field's numbers. Of a ray and a pose
-/// that were checked.
+/// Returns cast_ray() of the field's mesh, whose triangles have the field's numbers. The ray and
+/// the pose must have been checked.
 std::optional<RayHit> cast_at_field(const HeightField& field, const Pose& pose, const Ray& ray,
                                     Work& work);
 

@@ -16,7 +16,7 @@ std::vector<std::uint16_t>& heights_of(FieldTile& tile, std::uint16_t /*kind*/) 
   return tile.shorts;
 }
 
-/// Which heights a tile has, by its number.
+/// Returns the range of heights of a tile by its number.
 FieldRange range_of(const HeightFieldData& data, std::size_t tile) {
   const auto column = static_cast<std::uint32_t>(tile % data.tile_columns) * kSide;
   const auto row = static_cast<std::uint32_t>(tile / data.tile_columns) * kSide;
@@ -83,7 +83,7 @@ void make_all(HeightFieldData& data, std::span<const Height> heights,
   }
 }
 
-/// The same cells and heights, without what is computed from them.
+/// Copies the cells and heights of a tile, without what is computed from them.
 std::shared_ptr<FieldTile> bare_copy(const FieldTile& tile) {
   auto copy = std::make_shared<FieldTile>();
   copy->columns = tile.columns, copy->rows = tile.rows;
@@ -96,7 +96,7 @@ template <typename Height>
 void replace_all(HeightFieldData& data, const FieldRange& part, std::span<const Height> heights) {
   const std::uint32_t last_column = part.first_column + part.columns;
   const std::uint32_t last_row = part.first_row + part.rows;
-  // The cell before a height has it as a corner.
+  // A height is also a corner of the cell before it.
   const std::uint32_t before_column = std::max(part.first_column, 1u) - 1;
   const std::uint32_t before_row = std::max(part.first_row, 1u) - 1;
   for (std::uint32_t r = before_row / kSide; r <= (last_row - 1) / kSide; ++r) {
@@ -120,7 +120,7 @@ void replace_all(HeightFieldData& data, const FieldRange& part, std::span<const 
   }
 }
 
-/// Of a tile that lacks them, the ranges of its squares.
+/// Computes the ranges of the squares of a tile that lacks them.
 void find_ranges(const HeightFieldData& data, std::size_t number, FieldTile& tile) {
   const FieldRange range = range_of(data, number);
   tile.blocks.assign(std::size_t{FieldTile::kBlocks} * FieldTile::kBlocks, {});
@@ -179,7 +179,7 @@ std::size_t FieldTile::bytes() const {
 void HeightFieldData::finish() {
   CellRect around;
   for (std::size_t i = 0; i < tiles.size(); ++i) {
-    // One without ranges was made by whoever asks for this, and nobody else has it yet.
+    // A tile without ranges was made for this field, and no other field has it yet.
     if (tiles[i]->blocks.empty()) find_ranges(*this, i, const_cast<FieldTile&>(*tiles[i]));
     const CellRect& cells = tiles[i]->cells;
     if (cells.is_empty()) continue;

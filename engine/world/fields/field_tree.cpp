@@ -11,7 +11,7 @@ namespace graze {
 
 namespace {
 
-/// A cell by its first triangle in the patch; the other one is the next.
+/// A cell by its first triangle in the patch; its other triangle is the next one.
 struct Cell {
   std::uint32_t triangle;
   bvh::FloatBox box;
@@ -50,7 +50,7 @@ class RectTree {
   static constexpr std::uint32_t kHole = 0xffffffffu;
   static constexpr std::size_t kCellsOfLeaf = 2;
 
-  /// Kept from one tree to the next.
+  /// Memory that is kept from one tree to the next.
   struct Scratch {
     std::vector<std::uint32_t> first;
     std::vector<Cell> cells;

@@ -1,6 +1,6 @@
 #pragma once
 
-// A tree over a rectangle of cells. Private to engine/world.
+// Builds a tree over a rectangle of cells. Private to engine/world.
 
 #include <graze/bvh/tree/tree.h>
 #include <graze/engine/mesh/data/mesh_patch.h>
@@ -8,8 +8,8 @@
 
 namespace graze {
 
-/// Over the patch of the rectangle, by halving its longer side: in a fraction of the time that the
-/// surface area heuristic takes to find out the same.
+/// Returns a tree over the patch of the rectangle, which is built by halving its longer side, in a
+/// fraction of the time that the surface area heuristic takes to find the same tree.
 bvh::Tree tree_over(const HeightFieldData& field, const CellRect& rect, const MeshPatch& patch);
 
 }  // namespace graze

@@ -71,7 +71,7 @@ std::uint64_t next_serial() {
   return ++last;
 }
 
-/// A field of these heights, without its cells.
+/// Returns the data of a field with these settings, without its tiles.
 HeightFieldData data_of(std::uint32_t columns, std::uint32_t rows,
                         const HeightFieldSettings& settings) {
   check_settings(columns, rows, settings);
@@ -191,7 +191,7 @@ Mesh HeightField::mesh() const {
         vertices.push_back(data_->vertex(c, r));
     }
     std::vector<TriangleIndices> triangles;
-    std::vector<std::uint16_t> materials;  // none if all are 0
+    std::vector<std::uint16_t> materials;  // the materials, none if all are 0
     for (std::uint32_t r = 0; r + 1 < data_->rows; ++r) {
       for (std::uint32_t c = 0; c + 1 < data_->columns; ++c) {
         if (data_->is_hole(c, r)) continue;

@@ -10,13 +10,13 @@ namespace graze {
 
 namespace {
 
-// Cells above or below something else are left out of a patch if it would have more than so many;
-// and where none aside have a say, if it would have more than so few.
+// A patch of all cells above or below the other shape may have at most kMostAtOnce cells, or
+// kFewCells if no cells aside are needed. If there are more, only near ones are taken.
 constexpr std::uint64_t kFewCells = 1024;
 constexpr std::uint64_t kMostAtOnce = std::uint64_t{1} << 16;
 
-/// A bound of the sine of the angle between the normals of triangles in these cells and straight
-/// up: 1 where they are many.
+/// Returns a bound of the sine of the angle between the normals of triangles in these cells and
+/// straight up; 1 if there are many cells.
 double steepest_sine(const HeightFieldData& field, const CellRect& rect) {
   constexpr std::uint64_t kMostLookedAt = 256;
   if (rect.count() > kMostLookedAt) return 1;
@@ -53,7 +53,8 @@ bool has_cell(const HeightFieldData& field, const CellRect& rect) {
   return false;
 }
 
-/// The longest side of the box around it; of a half-space 0, as all cells before it are near.
+/// Returns the length of the diagonal of the box around a shape; 0 for a half-space, as all cells
+/// before it are near.
 double size_of(const PlacedShapeView& shape) {
   if (shape.shape.kind() == ShapeKind::HalfSpace) return 0;
   const Aabb box = bounding_aabb(shape);
@@ -101,15 +102,15 @@ void StandIn::take(const FieldQuery& query, const PatchNeed& need) {
   FieldQuery wide = query;
   CellRect around = query.columns_of_cells(field);
   if (need.aside > 0) {
-    // A flat face leads aside by as much as it leans. Neighbours have a say, too: around what is
-    // near there is a ring of cells already.
-    // Two meshes are asked piece by piece, and a piece grows: what it grows by most often is here,
-    // and where that is not enough the question is asked again (ask_contacts()).
+    // A flat face leads aside by as much as it leans. Neighbours count, too: there is a ring of
+    // cells around near ones already. Two meshes are asked piece by piece, and a piece grows:
+    // mostly the cells here are enough, and otherwise the question is asked again (ask_contacts()).
     wide.grow_aside(need.aside * (need.is_kept ? steepest_sine(field, around) : 1));
     around = wide.columns_of_cells(field);
   }
   const bool is_whole = around.count() <= (need.aside > 0 ? kMostAtOnce : kFewCells);
-  // However many: who asks for rings has met the end of a patch with fewer.
+  // Rings are added however many there are: a caller who asks for them has met the end of a patch
+  // with fewer.
   around = with_rings(field, around, need.rings);
   if (is_whole && has_cell(field, around)) {
     mesh_ =

@@ -7,10 +7,12 @@
 namespace graze {
 namespace {
 
-// Of all lengths: distances of shapes are known to 2^-34 of their scale.
+// The least tolerance, as a share of all lengths: distances of shapes are known to 2^-34 of their
+// scale.
 constexpr double kLeastTolerance = 0x1p-28;
 
-/// How far turning moves a point of the shape, metres, at most, where the other one can be.
+/// Returns the most by which turning moves a point of the shape, metres, in places where the other
+/// shape can be.
 double turning_travel_of(const MovingShape& moving, const MovingShape& other) {
   if (!moving.is_half_space() || moving.turned == 0) return moving.turned * moving.turning_radius;
   const double apart = length_of(moving.motion.centre() - other.motion.centre());
@@ -28,7 +30,7 @@ Approach::Approach(const MovingShape& a, const MovingShape& b, const RigidContac
   const double tolerance =
       std::max({settings.tolerance, kLeastTolerance * lengths, 0x1p-44 * travel});
   limit = settings.clearance + tolerance;
-  // Poses are rounded: what turns by many times is off by 2^-51 of its travel.
+  // Poses are rounded: a shape that makes many turns is off by 2^-51 of its travel.
   rounding = 0x1p-40 * lengths + 0x1p-50 * travel;
   grid = TimeGrid::for_steps(travel, tolerance / 4);
 }

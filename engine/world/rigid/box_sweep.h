@@ -1,12 +1,13 @@
 #pragma once
 
-// A box that goes straight. Private to engine/world.
+// Finds when a box that goes straight is near another. Private to engine/world.
 
 #include <algorithm>
 
 namespace graze {
 
-/// When something is near a box: from one time to another. Never, if the first is above the last.
+/// The times at which something is near a box: from the first to the last, or never, if the first
+/// is above the last.
 struct NearTimes {
   double first, last;
 
@@ -19,9 +20,9 @@ struct BoxSweep {
   double max[3];
   double shift[3];
 
-  /// When it shares a point with another, which rests: its slabs, grown by this box (Kay, Kajiya,
-  /// "Ray tracing complex scenes", 1986). The box must have room for rounding: times are off by
-  /// less than the shift takes for 2^-50 of the coordinates.
+  /// Returns when it shares a point with another box, which rests, by the slabs of that, grown by
+  /// this box (Kay, Kajiya, "Ray tracing complex scenes", 1986). The box must have room for
+  /// rounding: times are off by less than the shift takes for 2^-50 of the coordinates.
   NearTimes of(const double (&low)[3], const double (&high)[3]) const {
     NearTimes times{0, 1};
     for (int k = 0; k < 3; ++k) {

@@ -16,7 +16,7 @@ using narrowphase::Vec3;
 
 namespace {
 
-/// What is near a node never, or when a triangle that is near before was found.
+/// The bound of a node that the box is never near, or only after a triangle that was found.
 constexpr double kNever = 2;
 
 RigidMotion relative_motion(const RigidMotion& of, const RigidMotion& to) {
@@ -27,7 +27,7 @@ RigidMotion relative_motion(const RigidMotion& of, const RigidMotion& to) {
            .angle = of.angle()}};
 }
 
-/// A set that holds the shape at 0 in all directions in which it turns.
+/// Returns a set that holds the shape at 0 in all directions in which it turns.
 Core core_in_all_directions(const MovingShape& moving, const Eigen::Vector3d& origin) {
   if (moving.turned == 0) return core_of(moving.shape, moving.motion.start(), origin);
   Core ball;
@@ -38,7 +38,8 @@ Core core_in_all_directions(const MovingShape& moving, const Eigen::Vector3d& or
 
 }  // namespace
 
-/// What traverse_nearest() asks: the bound of a node is the first time at which the box is near it.
+/// The bounds of nodes for traverse_nearest(): the bound of a node is the first time at which the
+/// box is near it.
 struct MeshApproach::TimesOfNodes {
   MeshApproach& approach;
   const TreeSweep& sweep;
@@ -67,7 +68,7 @@ MeshApproach::MeshApproach(const MovingShape& convex, const MovingShape& mesh,
       work_(work),
       relative_(relative_motion(convex.motion, mesh.motion)) {}
 
-// Powers of two divide exactly, and what rounded a time is within the room of the sweep.
+// Powers of two divide exactly, and the rounding of a time is within the room of the sweep.
 std::uint64_t MeshApproach::step_before(double t) const {
   return static_cast<std::uint64_t>(t / approach_.grid.step());
 }
@@ -137,8 +138,8 @@ MeshApproach::Gap MeshApproach::gap_at(std::uint64_t k, std::uint32_t triangle) 
   return {gap.lower, approach_.closing(normal, turning)};
 }
 
-/// How far the shape is behind the plane through a corner at right angles to a unit vector, which
-/// points to where it comes from.
+/// Returns how far the shape is behind the plane through a corner at right angles to a unit vector,
+/// which points to where the shape comes from.
 double MeshApproach::depth_behind(const Triangle& triangle, double t,
                                   const Eigen::Vector3d& normal) const {
   const Core core = core_of(convex_.shape, relative_.at(t), triangle.a);
@@ -146,8 +147,8 @@ double MeshApproach::depth_behind(const Triangle& triangle, double t,
   return dot(narrowphase::rounded_support(core, behind), behind);
 }
 
-// Between 0 and 1 a point is beside the chord of its path by at most the sagitta, of a turn by an
-// angle r (1 - cos(angle/2)), which is at most r angle^2 / 8, and 2 r at any angle.
+// Between 0 and 1 a point is beside the chord of its path by at most the sagitta. For a turn by an
+// angle that is r (1 - cos(angle/2)), at most r angle^2 / 8, and at most 2 r for any angle.
 bool MeshApproach::slides_along(std::uint32_t triangle) const {
   const Triangle placed = narrowphase::place(mesh_.motion.start(), triangles_.triangle(triangle));
   const Eigen::Vector3d edge_b = placed.b - placed.a, edge_c = placed.c - placed.a;

@@ -1,6 +1,6 @@
 #pragma once
 
-// A convex shape and a mesh that come to each other. Private to engine/world.
+// Finds when a convex shape and a mesh come to each other. Private to engine/world.
 
 #include <graze/engine/work.h>
 #include <graze/engine/world/rigid/approach.h>
@@ -14,38 +14,38 @@ namespace graze {
 class TreeSweep;
 struct NearTimes;
 
-/// Which triangles count: those that the shape does not touch at 0, and does not slide along. It
-/// slides along a triangle if it never gets deeper than this behind its plane, metres, as seen from
-/// where its middle is at 0.
+/// Says which triangles count: those that the shape does not touch at time 0, and does not slide
+/// along. It slides along a triangle if it never gets deeper than `depth` behind the triangle's
+/// plane, metres, as seen from the place of its middle at 0.
 struct SlidingRule {
   double depth;
 };
 
-/// The first time of the grid at which a convex shape may be as near to a triangle of a mesh as the
-/// limit. The tree is walked towards a box around the shape, in all directions in which it turns,
-/// that goes straight, as the mesh stays: slabs say when that is near a node, and what is near
-/// first is walked first. There is room for how far turning takes the mesh. Each triangle that is
-/// left is approached as far as the gap lasts.
+/// Finds the first time of the grid at which a convex shape may be as near to a triangle of a mesh
+/// as the limit. It walks the tree towards a box around the shape in all directions in which it
+/// turns. Relative to the mesh the box goes straight: slabs tell when it is near a node, and the
+/// node that is near first is walked first. The box has room for how far turning takes the mesh.
+/// Each triangle that is left is approached step by step, as far as the gap lasts.
 class MeshApproach {
  public:
   static bool is_for(const MovingShape& convex, const MovingShape& mesh);
 
-  /// `approach` is that of the shape, A, and the mesh. All must outlive this.
+  /// Takes a shape, A, and a mesh, B, with their approach. All must outlive this.
   MeshApproach(const MovingShape& convex, const MovingShape& mesh, const Approach& approach,
                Work& work);
 
-  /// The end of the grid if there is none. Where the budget, a number of gaps, ends, when the box
-  /// is near any triangle first.
-  /// A rule is for meshes that do not turn.
+  /// Returns the first time, as a step of the grid, or the end of the grid if there is none. If the
+  /// budget, a number of gaps, ends, it returns the time at which the box is first near any
+  /// triangle. A rule may only be given for meshes that do not turn.
   std::uint64_t find_low(std::uint64_t budget, const std::optional<SlidingRule>& rule = {});
   bool is_out_of_budget() const { return is_out_of_budget_; }
 
-  /// The triangle that find_low() found.
+  /// Returns the triangle that find_low() found.
   std::uint32_t found() const { return found_; }
 
  private:
   struct TimesOfNodes;
-  /// Of the shape and a triangle, and how it closes.
+  /// The gap between the shape and a triangle, and how it closes.
   struct Gap {
     double lower;
     Closing closing;

@@ -11,14 +11,14 @@ namespace graze {
 
 namespace {
 
-/// The radius of a ball that, moved along a point or a segment, makes the shape.
+/// Returns the radius of the ball that makes the shape when it is moved along a point or a segment.
 double rounded_by(const Shape& shape) {
   if (const auto* sphere = std::get_if<Sphere>(&shape.value())) return sphere->radius;
   if (const auto* capsule = std::get_if<Capsule>(&shape.value())) return capsule->radius;
   return 0;
 }
 
-/// How far the plane of a half-space, or a plane, is from the origin of its frame.
+/// Returns how far the plane of a half-space, or a plane, is from the origin of its frame.
 double offset_of(const Shape& shape) {
   const auto* half_space = std::get_if<HalfSpace>(&shape.value());
   return std::abs(half_space != nullptr ? half_space->offset
@@ -49,7 +49,7 @@ MovingShape::MovingShape(const Shape& of_shape, const RigidMotion& in_motion, co
   const Eigen::Vector3d half = bounds.max / 2 - bounds.min / 2;
   const Eigen::Vector3d rounded = Eigen::Vector3d::Constant(rounded_by(shape));
   radius = (apart + length_of(half)) * kStretch;
-  // What boxes round is a share of `lengths`, for which those who use this leave room.
+  // The rounding of boxes is a share of `lengths`, for which the users of this radius leave room.
   turning_radius = (apart + length_of((half - rounded).cwiseMax(0))) * kStretch;
   lengths += radius;
 }
@@ -68,7 +68,7 @@ Aabb swept_bounds(const MovingShape& moving) {
     first = {motion.centre() - half, motion.centre() + half};
     last = {first.min + motion.shift(), first.max + motion.shift()};
   }
-  // What poses are off by where they are rounded, as ShapeMotion has it, and these sums.
+  // This covers the rounding of poses, as in Approach, and of these sums.
   const Eigen::Vector3d rounding =
       Eigen::Vector3d::Constant(0x1p-40 * moving.lengths + 0x1p-50 * moving.turned * moving.radius);
   return {first.min.cwiseMin(last.min) - rounding, first.max.cwiseMax(last.max) + rounding};

@@ -9,7 +9,7 @@ namespace graze {
 
 namespace {
 
-// More than the tolerances and the rounding of motions and casts: shares of all lengths.
+// Shares of all lengths that are more than the tolerances and the rounding of motions and casts.
 constexpr double kMotionRoom = 0x1p-26;
 constexpr double kTurnRoom = 0x1p-42;
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// Meshes that stand for height fields in motion. Private to engine/world.
+// Makes stand-ins of height fields for questions about motions. Private to engine/world.
 
 #include <graze/engine/mesh/rigid_contact.h>
 #include <graze/engine/world/fields/stand_in.h>
@@ -8,13 +8,14 @@
 
 namespace graze {
 
-/// For all that a shape may come near to in its motion, as near as the settings ask for, and cells
-/// so far aside as FieldNeed has it. Beside a half-space all cells. Throws as MovingShape does.
+/// Returns a stand-in of all cells that a shape may come near to in its motion, as near as the
+/// settings ask for, and of cells aside as in FieldNeed. Beside a half-space it has all cells.
+/// Throws as MovingShape does.
 StandIn moving_stand_in(const MovingShape& field, const MovingShape& other,
                         const RigidContactSettings& settings, double aside);
 
-/// For a cast of the other by a displacement, metres, relative to the field, from 0 to a time: all
-/// that is not met later.
+/// Returns a stand-in for a cast of the other shape by a displacement relative to the field,
+/// metres, of all cells that it may meet on its way.
 StandIn cast_stand_in(const PlacedShapeView& field, const PlacedShapeView& other,
                       const Eigen::Vector3d& displacement);
 

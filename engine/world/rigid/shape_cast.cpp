@@ -33,7 +33,8 @@ Eigen::Vector3d opposite(const Eigen::Vector3d& v) {
   return {-v.x(), -v.y(), -v.z()};
 }
 
-/// Of B and A along the opposite displacement, where B stays.
+/// Returns the answer for A and B from that for B and A along the opposite displacement, in which B
+/// rests.
 std::optional<ShapeCast> swapped(std::optional<ShapeCast> found,
                                  const Eigen::Vector3d& displacement) {
   if (!found) return found;
@@ -49,7 +50,7 @@ std::optional<ShapeCast> of_exact(const std::optional<Cast>& found) {
   return ShapeCast{found->time, found->is_at_start, found->point, found->normal};
 }
 
-/// What intersects() calls a hit at t = 0.
+/// Returns the contact of shapes that intersect at t = 0.
 ShapeCast at_start(const PlacedShapeView& a, const PlacedShapeView& b) {
   ShapeCast cast{0, true, {0, 0, 0}, {0, 0, 1}};
   const bool are_planes =
@@ -66,7 +67,7 @@ ShapeCast at_start(const PlacedShapeView& a, const PlacedShapeView& b) {
   return cast;
 }
 
-/// A mesh, and a mesh, a sphere or a box that goes.
+/// Casts a mesh, a sphere or a box at a mesh.
 std::optional<ShapeCast> cast_at_mesh(const PlacedMeshView& mesh, const PlacedShapeView& b,
                                       const Eigen::Vector3d& displacement, Work& work) {
   if (const auto* sphere = b.shape.as<Sphere>()) {
@@ -78,7 +79,8 @@ std::optional<ShapeCast> cast_at_mesh(const PlacedMeshView& mesh, const PlacedSh
   return of_exact(cast(mesh, PlacedMeshView{*b.shape.as<Mesh>(), b.pose}, displacement, {}, &work));
 }
 
-/// One support point of B, or of A, and a plane: their distance changes steadily.
+/// Casts beside a plane: the distance of one support point of B, or of A, and the plane changes
+/// linearly.
 std::optional<ShapeCast> cast_beside_plane(const PlacedShapeView& a, const PlacedShapeView& b,
                                            const Eigen::Vector3d& displacement, Work& work) {
   const ShapeDistance found = distance(a, b, &work);
@@ -90,7 +92,7 @@ std::optional<ShapeCast> cast_beside_plane(const PlacedShapeView& a, const Place
   return ShapeCast{gap / rate * (1 - 0x1p-50), false, found.point_a, found.normal};
 }
 
-/// Two convex shapes, about the middle of A.
+/// Casts two convex shapes, relative to the middle of A.
 std::optional<ShapeCast> cast_cores(const PlacedShapeView& a, const PlacedShapeView& b,
                                     const Eigen::Vector3d& displacement, Work& work) {
   const Eigen::Vector3d origin = middle_of(a.shape, a.pose);
@@ -104,7 +106,7 @@ double size_of(const Eigen::Vector3d& v) {
   return (std::abs(v.x()) + std::abs(v.y())) + std::abs(v.z());
 }
 
-/// A convex shape that goes to a mesh, triangle by triangle.
+/// Casts a convex shape at a mesh, triangle by triangle.
 class CoreToMesh {
  public:
   CoreToMesh(const PlacedMeshView& mesh, const PlacedShapeView& shape,
@@ -128,7 +130,7 @@ class CoreToMesh {
                      to_eigen(best_->normal)};
   }
 
-  // What traverse_nearest() asks: the bound of a node is the first time at which it may be met.
+  /// Returns the bound of a node for traverse_nearest(): the first time at which it may be met.
   double of(std::uint32_t node) const {
     ++work_.volume_tests;
     const NearTimes times = sweep_.of_node(node);
@@ -139,7 +141,8 @@ class CoreToMesh {
   bool is_beyond(double bound) const { return best_ && bound > best_->time; }
 
  private:
-  /// More than the tolerance and what rounding takes, of all lengths: what is not so near is apart.
+  /// Returns more than the tolerance and the rounding of all lengths: shapes that are not so near
+  /// are apart.
   double room(const PlacedMeshView& mesh, const Eigen::Vector3d& displacement) const {
     const Aabb& own = mesh.mesh.bounds();
     const double* m = mesh.pose.data();
@@ -175,7 +178,7 @@ PlacedMeshView mesh_view(const PlacedShapeView& s) {
   return {*s.shape.as<Mesh>(), s.pose};
 }
 
-/// B's kind is not below A's, as in the table of pairs, or A is a mesh.
+/// Casts a pair in which B's kind is not below A's, as in the table of pairs, or A is a mesh.
 std::optional<ShapeCast> cast_in_order(const PlacedShapeView& a, const PlacedShapeView& b,
                                        const Eigen::Vector3d& displacement, Work& work) {
   const PairMethod method = pair_method(a.shape.kind(), b.shape.kind());
@@ -194,7 +197,7 @@ std::optional<ShapeCast> cast_in_order(const PlacedShapeView& a, const PlacedSha
   }
 }
 
-/// Whether B goes first, so that swapping changes no time: a mesh does, beside anything but a mesh.
+/// True if B goes first, so that swapping changes no time: a mesh goes before anything but a mesh.
 bool goes_second(const PlacedShapeView& a, const PlacedShapeView& b) {
   const bool is_mesh_a = a.shape.kind() == ShapeKind::Mesh;
   const bool is_mesh_b = b.shape.kind() == ShapeKind::Mesh;
@@ -217,8 +220,8 @@ std::optional<ShapeCast> cast_checked(const PlacedShapeView& a, const PlacedShap
   return swapped(cast_in_order(b, a, opposite(displacement), work), displacement);
 }
 
-/// How many times as long each next part of a path is that is looked at, and what of a displacement
-/// the first one is: as long as the other is wide, and then some cells.
+/// A path beside a height field is looked at in parts, all from its start: the first one is
+/// kCellsAtFirst cells long, and each next one kNextPart times as long as the one before.
 constexpr double kNextPart = 4;
 constexpr double kCellsAtFirst = 32;
 
@@ -237,8 +240,8 @@ double first_part(const PlacedShapeView& a, const PlacedShapeView& b,
   return travel > length ? length / travel : 1;
 }
 
-/// Of which one is a height field, or both: part by part of the path, as what is met in one hides
-/// what is farther.
+/// Casts a pair with one height field, or two: part by part of the path, because a contact in one
+/// part hides what is farther.
 std::optional<ShapeCast> cast_of_field(const PlacedShapeView& a, const PlacedShapeView& b,
                                        const Eigen::Vector3d& displacement, Work& work) {
   if (intersects(a, b, &work)) {
@@ -264,7 +267,7 @@ std::optional<ShapeCast> cast_of_field(const PlacedShapeView& a, const PlacedSha
   }
 }
 
-/// Of which one is a plane, or both.
+/// Casts a pair with one plane, or two.
 std::optional<ShapeCast> cast_of_plane(const PlacedShapeView& a, const PlacedShapeView& b,
                                        const Eigen::Vector3d& displacement, Work& work) {
   const HalfSpacePair by(a, b, work);

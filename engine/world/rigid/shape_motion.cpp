@@ -36,8 +36,8 @@ class ShapeMotion {
   const TimeGrid& grid() const { return approach_.grid; }
   bool is_out_of_budget() const { return is_out_of_budget_; }
 
-  /// The first time at which they may be as near as the limit, or where the budget ends; the end of
-  /// the grid if there is none.
+  /// Returns the first time at which they may be as near as the limit, or where the budget ends, as
+  /// a step of the grid; the end of the grid if there is none.
   std::uint64_t find_low() {
     if (MeshApproach::is_for(a_, b_)) return find_low_of_mesh(a_, b_, approach_);
     if (MeshApproach::is_for(b_, a_)) return find_low_of_mesh(b_, a_, approach_.mirrored());
@@ -52,7 +52,8 @@ class ShapeMotion {
           distance_of_checked({a_.shape, pose_a}, {b_.shape, pose_b}, work_);
       const double gap = found.lower_bound;
       if (!(gap > approach_.limit)) return k;
-      // In one step they stay further apart than the clearance; in more while the gap lasts.
+      // In one step they stay further apart than the clearance, and in more steps while the gap
+      // lasts.
       k += approach_.steps(gap, closing(t, pose_a, pose_b, found.normal), end - k);
     }
     return end;
@@ -68,7 +69,7 @@ class ShapeMotion {
  private:
   std::uint64_t find_low_of_mesh(const MovingShape& convex, const MovingShape& mesh,
                                  const Approach& approach) {
-    // To ask whether they meet costs less than how far apart they are.
+    // Testing whether they meet costs less than measuring how far apart they are.
     if (clearance_ == 0 && budget_ > 0 && is_hit(0)) return 0;
     MeshApproach to_mesh(convex, mesh, approach, work_);
     const std::uint64_t low = to_mesh.find_low(budget_);
@@ -76,8 +77,8 @@ class ShapeMotion {
     return low;
   }
 
-  /// Of a mesh beside a plane its convex hull counts. A half-space that turns moves the faster the
-  /// further out.
+  /// Returns how the gap closes from a time on. For a mesh beside a plane its convex hull counts. A
+  /// half-space that turns moves the faster the further out.
   Closing closing(double t, const Pose& pose_a, const Pose& pose_b,
                   const Eigen::Vector3d& normal) const {
     if ((a_.is_half_space() && a_.turned > 0) || (b_.is_half_space() && b_.turned > 0))
@@ -122,7 +123,7 @@ RigidContact contact_of_shapes(const MovingShape& a, const MovingShape& b,
   return {RigidStatus::Hit, grid.time(low), grid.time(*high), false};
 }
 
-/// Of which one is a height field, or both.
+/// Answers a pair with one height field, or two.
 RigidContact contact_of_field(const MovingShape& a, const MovingShape& b,
                               const RigidContactSettings& settings, Work& work) {
   const StandIn by_a = moving_stand_in(a, b, settings, 0);
@@ -130,7 +131,7 @@ RigidContact contact_of_field(const MovingShape& a, const MovingShape& b,
   return first_contact(by_a.shape(), a.motion, by_b.shape(), b.motion, settings, &work);
 }
 
-/// The first of two, of what may be met in either.
+/// Returns the earlier of two contacts, either of which may come first.
 RigidContact earlier(const RigidContact& s, const RigidContact& t) {
   if (s.status == RigidStatus::Free) return t;
   if (t.status == RigidStatus::Free) return s;
@@ -139,7 +140,7 @@ RigidContact earlier(const RigidContact& s, const RigidContact& t) {
           std::min(s.high, t.high), s.is_out_of_budget || t.is_out_of_budget};
 }
 
-/// Of which one is a plane, or both.
+/// Answers a pair with one plane, or two.
 RigidContact contact_of_plane(const MovingShape& a, const MovingShape& b,
                               const RigidContactSettings& settings, Work& work) {
   const HalfSpacePair by({a.shape, a.motion.start()}, {b.shape, b.motion.start()}, work);

@@ -13,7 +13,7 @@
 namespace graze {
 namespace {
 
-/// The triangle as a mesh of its own.
+/// Returns the triangle as a mesh of its own.
 Mesh alone(const Mesh& mesh, std::uint32_t index) {
   const Triangle triangle = mesh.triangle(index);
   return Mesh(std::vector{triangle.a, triangle.b, triangle.c},

@@ -13,13 +13,14 @@ using narrowphase::Core;
 // touch in passing.
 constexpr int kMostSteps = 1000;
 
-// Of the scale: planes at right angles to the normal of a gap are no nearer to each other than its
-// lower bound but for 2^-46 (shape_pairs.h); where the moving set is at t, the sum of an offset and
-// a product, is off by less than 2^-50; so are unit vectors.
+// Shares of the scale: planes at right angles to the normal of a gap are no nearer to each other
+// than its lower bound, but for 2^-46 (shape_pairs.h); the place of the moving set at t, the sum of
+// an offset and a product, is off by less than 2^-50, and so are unit vectors.
 constexpr double kGapRounding = 0x1p-45;
 constexpr double kRateRounding = 0x1p-48;
 
-// A quotient of what is rounded down and up, and a sum of times, each by less than 2^-52.
+// A quotient of numbers that are rounded down and up, and a sum of times, are each off by less than
+// 2^-52.
 constexpr double kTimeRounding = 1 - 0x1p-50;
 
 }  // namespace

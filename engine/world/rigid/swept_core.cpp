@@ -42,7 +42,7 @@ SweptCore::Extent SweptCore::extent_along(const Vec3& unit) const {
           dot(rounded_support(core_, unit), unit) + room_};
 }
 
-/// The gap changes steadily: what it is at both ends it is all the time.
+/// The gap changes linearly: if the set is on one side at both ends, it is there all the time.
 bool SweptCore::is_passed_along(const Vec3& unit, const Extent& own, const Core& triangle,
                                 double until) const {
   const LowHigh other = of_triangle(triangle, unit);

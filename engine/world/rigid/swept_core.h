@@ -1,23 +1,23 @@
 #pragma once
 
-// A convex set that goes straight, beside triangles. Private to engine/world.
+// Finds triangles that a convex set which goes straight surely passes. Private to engine/world.
 
 #include <graze/narrowphase/convex/core/core.h>
 
 namespace graze {
 
-/// Seen along a few directions: two axes across the displacement and the two between them, the
-/// normal of a contact, around which both surfaces are thin, or the displacement while there is
-/// none, and a triangle's own normal. That spares most triangles whose boxes are met a search for
-/// the gap.
+/// A convex set that goes straight, with its extents along a few directions: two axes across the
+/// displacement and the two between them, the normal of a contact, along which both surfaces are
+/// thin, or the displacement while there is none, and a triangle's own normal. With them most
+/// triangles whose boxes are met need no search for the gap.
 class SweptCore {
  public:
-  /// The set is no triangle, and moves by t `displacement`, metres. `room` has more than 2^-45 of
-  /// all lengths beyond what it stands for: what is computed here is off by less. The core must
+  /// Takes a set that is no triangle, and moves by t `displacement`, metres. `room` must be larger
+  /// than needed by more than 2^-45 of all lengths, which covers the rounding here. The core must
   /// outlive this.
   SweptCore(const narrowphase::Core& core, const narrowphase::Vec3& displacement, double room);
 
-  /// Of a contact, a unit vector.
+  /// Takes the normal of a contact, a unit vector.
   void take_normal(const narrowphase::Vec3& normal);
 
   /// True only if the set is further than the room from the triangle at all t in [0, until].
@@ -26,7 +26,7 @@ class SweptCore {
  private:
   static constexpr int kAcross = 4;
 
-  /// Along a unit vector, with the room.
+  /// The extent along a unit vector, with the room.
   struct Extent {
     double low, high;
   };
@@ -39,7 +39,7 @@ class SweptCore {
   double room_;
   narrowphase::Vec3 across_[kAcross];
   Extent own_across_[kAcross];
-  narrowphase::Vec3 normal_;  ///< the displacement's, to begin with
+  narrowphase::Vec3 normal_;  ///< the direction of the displacement, to begin with
   Extent own_normal_;
 };
 

@@ -7,8 +7,8 @@
 
 namespace graze {
 
-// In the mesh's frame a shift is R^T times it, off by 3 dev of its length where R is no rotation,
-// and by rounding.
+// In the mesh's frame the shift is R^T times the shift in the world, off by 3 dev of its length if
+// R is no rotation, and by rounding.
 TreeSweep::TreeSweep(const MeshDescent& descent, const PlacedMeshView& mesh,
                      const Eigen::Vector3d& shift, double room)
     : tree_(descent.tree()), mesh_(mesh.mesh), unit_(descent.tree().frame.unit()) {

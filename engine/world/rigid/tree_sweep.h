@@ -1,6 +1,6 @@
 #pragma once
 
-// A box that goes straight through a mesh's tree. Private to engine/world.
+// Finds when a box that goes straight is near nodes of a mesh's tree. Private to engine/world.
 
 #include <graze/bvh/tree/tree.h>
 #include <graze/engine/mesh/placed_mesh.h>
@@ -15,9 +15,8 @@ namespace graze {
 /// The box of a MeshDescent moved along a shift while t goes from 0 to 1, with room around it.
 class TreeSweep {
  public:
-  /// `shift` and `room` in metres, in the world; `mesh` as the descent has it. `room` must have
-  /// more than 2^-45 of all lengths beyond what it stands for: what is computed here is off by
-  /// less.
+  /// Takes `shift` and `room` in metres, in the world, and the mesh of the descent. `room` must be
+  /// larger than needed by more than 2^-45 of all lengths, which covers the rounding here.
   TreeSweep(const MeshDescent& descent, const PlacedMeshView& mesh, const Eigen::Vector3d& shift,
             double room);
 
@@ -31,7 +30,7 @@ class TreeSweep {
   const bvh::Tree& tree_;
   const Mesh& mesh_;
   double unit_;
-  BoxSweep sweep_;  ///< in the tree's frame, with the room
+  BoxSweep sweep_;  ///< the box in the tree's frame, with the room
 };
 
 }  // namespace graze

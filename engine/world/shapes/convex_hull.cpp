@@ -23,8 +23,8 @@ const char* name_of(narrowphase::HullDefect defect) {
   }
 }
 
-/// Squares and products of six of the hull's lengths must stay within double, as of every shape.
-/// How thin it is does not matter.
+/// Throws unless squares and products of six of the hull's lengths stay within the range of double,
+/// as for every shape. It does not matter how thin the hull is.
 void check_size(const std::vector<narrowphase::Vec3>& points) {
   narrowphase::Vec3 low = points[0], high = points[0];
   for (const narrowphase::Vec3& p : points) {

@@ -13,7 +13,7 @@ struct Cores {
   Core b;
 };
 
-/// The middle of A is the origin.
+/// Returns both cores, relative to the middle of A.
 Cores cores_of(const PlacedShapeView& a, const PlacedShapeView& b) {
   const Eigen::Vector3d origin = middle_of(a.shape, a.pose);
   return {origin, core_of(a.shape, a.pose, origin), core_of(b.shape, b.pose, origin)};

@@ -17,7 +17,7 @@ class LowestVertex {
       : field_(field), pose_(pose), plane_(plane), origin_(origin_of(pose)) {
     const double size = largest(to_vec3(field.bounds.min)) + largest(to_vec3(field.bounds.max)) +
                         largest(origin_) + std::abs(plane.offset);
-    slack_ = 0x1p-40 * size;  // far more than a sum of ten such terms rounds
+    slack_ = 0x1p-40 * size;  // far more than the rounding of a sum of ten such terms
     down(field.root());
   }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// How a height field lies above a plane. Private to engine/world.
+// Finds heights of a height field above a plane. Private to engine/world.
 
 #include <graze/engine/world/fields/field_data.h>
 #include <graze/engine/world/shapes/placed_core.h>
@@ -15,12 +15,12 @@ struct FieldVertex {
   std::uint32_t column, row;
 };
 
-/// The vertex that is lowest above the plane of a half-space, whose frame's origin is the field's;
-/// the height is that of the field's mesh, bit for bit. Squares of cells that are surely higher are
-/// left out.
+/// Returns the vertex that is lowest above the plane of a half-space, whose frame has the field's
+/// origin. The height is that of the field's mesh, bit for bit. Squares of cells that are surely
+/// higher are skipped.
 FieldVertex lowest_of(const HeightFieldData& field, const Pose& pose, const PlacedHalfSpace& plane);
 
-/// The height of a vertex, likewise.
+/// Returns the height of a vertex above the plane, as that of the field's mesh.
 double height_of(const HeightFieldData& field, const Pose& pose, const PlacedHalfSpace& plane,
                  std::uint32_t column, std::uint32_t row);
 

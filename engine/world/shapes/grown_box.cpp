@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kLargestDouble = std::numeric_limits<double>::max();
 
-// A distance as computed is off by less than this share of itself, beyond what boxes have room for
+// A computed distance is off by less than this share of itself, beyond the room that boxes have
 // (shape_bounds.cpp).
 constexpr double kDistanceRounding = 0x1p-44;
 

@@ -1,18 +1,19 @@
 #pragma once
 
-// Boxes with room around them. Private to engine/world.
+// Grows boxes, and measures them. Private to engine/world.
 
 #include <graze/bvh/aabb.h>
 
 namespace graze {
 
-/// The box with room around it, outward, for all that may be that far away or nearer, metres.
+/// Returns the box with room around it, rounded outward, for all that may be that far away or
+/// nearer, metres.
 Aabb grown(const Aabb& box, double width);
 
-/// The longest side, at most kLargestLength.
+/// Returns the longest side, metres, at most kLargestLength.
 double width_of(const Aabb& box);
 
-/// intersects() of two boxes that are valid: nothing is checked.
+/// Returns intersects() of two boxes, which must be valid: nothing is checked.
 bool share_a_point(const Aabb& s, const Aabb& t);
 
 }  // namespace graze

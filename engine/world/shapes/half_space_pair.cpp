@@ -20,8 +20,8 @@ using narrowphase::Vec3;
 
 namespace {
 
-/// Whether the middle of what the shape spans along the normal is above the plane, or on it: then
-/// it has less to go upwards, and if it is apart it is above.
+/// True if the middle of the shape's extent along the normal is above the plane, or on it: then its
+/// way upwards is the shorter one, and if it is apart it is above.
 bool is_mostly_above(const Core& core, const PlacedHalfSpace& plane) {
   const double low = dot(plane.normal, rounded_support(core, -plane.normal)) - plane.offset;
   const double high = dot(plane.normal, rounded_support(core, plane.normal)) - plane.offset;
@@ -33,7 +33,7 @@ bool has_holes(const HeightFieldData& field) {
                      [](const auto& tile) { return !tile->holes.empty(); });
 }
 
-/// Of a mesh that no triangle of crosses the plane: those on one side of it.
+/// Returns the triangles on one side of the plane, of a mesh without triangles that cross it.
 Shape piece_of(const Mesh& mesh, const std::vector<bool>& is_above, bool above) {
   MeshPatch patch;
   patch.bounds = mesh.bounds();
@@ -78,8 +78,8 @@ HalfSpacePair::HalfSpacePair(const PlacedShapeView& a, const PlacedShapeView& b,
   if (is_plane(b)) choose(b_, a_, work);
 }
 
-// Beside a plane, or a half-space, only those may be apart whose normals are opposite, and then of
-// all ways to choose one alone is.
+// Two flat shapes may be apart only if their normals are opposite, and then only for one of all
+// ways to choose half-spaces.
 void HalfSpacePair::choose(Side& plane, Side& other, Work& work) {
   const graze::Plane& as_plane = *plane.own.shape.as<graze::Plane>();
   const Shape front = front_of(as_plane), back = back_of(as_plane);
@@ -130,7 +130,7 @@ void HalfSpacePair::choose_beside_mesh(Side& plane, Side& other, const Shape& fr
   const Mesh& mesh = *other.own.shape.as<Mesh>();
   const PlacedMeshView placed{mesh, other.own.pose};
   const double* m = placed.pose.data();
-  const Eigen::Vector3d origin(m[12], m[13], m[14]);  // as of a mesh and a half-space
+  const Eigen::Vector3d origin(m[12], m[13], m[14]);  // the origin, as for a mesh and a half-space
   const auto flat = [&](const Shape& side) {
     return placed_half_space(*side.as<HalfSpace>(), plane.own.pose, origin);
   };
@@ -152,7 +152,8 @@ void HalfSpacePair::choose_beside_mesh(Side& plane, Side& other, const Shape& fr
 
 namespace {
 
-/// Where the segment from one point to the other crosses the plane, or is nearest to it.
+/// Returns the point at which the segment from one point to the other crosses the plane, or is
+/// nearest to it.
 Vec3 crossing(const Vec3& low, const Vec3& high, const PlacedHalfSpace& plane) {
   const double below = dot(plane.normal, low) - plane.offset;
   const double above = dot(plane.normal, high) - plane.offset;
@@ -174,7 +175,8 @@ Vec3 crossing_of_mesh(const PlacedMeshView& mesh, const PlacedHalfSpace& plane,
   return crossing(placed(corners[0]), placed(corners[2]), plane);
 }
 
-/// Of a field without holes: along its edges from the lowest vertex to the highest.
+/// Returns a point of a field without holes on the plane: it is found along edges from the lowest
+/// vertex to the highest.
 Vec3 crossing_of_field(const HeightFieldData& field, const Pose& pose, const PlacedHalfSpace& plane,
                        const Eigen::Vector3d& origin) {
   const FieldVertex low = lowest_of(field, pose, plane);
@@ -195,7 +197,8 @@ Vec3 crossing_of_field(const HeightFieldData& field, const Pose& pose, const Pla
   return last;
 }
 
-/// Both are flat: the known point is on both planes, unless they are parallel.
+/// Returns a point of two flat shapes on the plane: the known point is on both planes, unless they
+/// are parallel.
 Vec3 crossing_of_flat(const Vec3& known, const PlacedHalfSpace& plane) {
   return known - plane.normal * (dot(plane.normal, known) - plane.offset);
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-// Half-spaces that stand for two-sided planes in one question. Private to engine/world.
+// Replaces two-sided planes by half-spaces for one question. Private to engine/world.
 
 #include <graze/engine/work.h>
 #include <graze/engine/world/placed_shape.h>
@@ -18,22 +18,24 @@ inline bool has_plane(const PlacedShapeView& a, const PlacedShapeView& b) {
   return is_plane(a) || is_plane(b);
 }
 
-/// A pair of which one is a plane, or both, as a pair with half-spaces: a plane touches what is in
-/// one piece exactly if both of its half-spaces do, and what touches one alone is as far from the
-/// plane as from the other. So the half-space stands for it which the other one does not touch, or
-/// else which it leaves by the shorter way: what the question says of that one is the answer. Where
-/// both do, the one behind the normal.
+/// A pair with one plane, or two, as a pair with half-spaces. A plane touches a shape in one piece
+/// exactly if both of its half-spaces do, and a shape that touches only one of them is as far from
+/// the plane as from the other. So the plane is replaced by the half-space that the other shape
+/// does not touch, or else by the one that it leaves by the shorter way: the answer for that
+/// half-space is the answer for the plane. If either would do, the half-space behind the normal is
+/// taken.
 ///
 /// A mesh with pieces on both sides, none of which crosses the plane, is divided: then there are
-/// two pairs, which are apart, the pieces on either side and the half-space behind the plane as
-/// seen from there. Patches of the mesh, they have its bounds and numbers.
+/// two pairs, which are apart, each of the pieces on one side and the half-space behind the plane
+/// as seen from there. The pieces are patches of the mesh, with its bounds and numbers.
 class HalfSpacePair {
  public:
-  /// Both must outlive this. Throws UnsupportedPairError for a height field with holes that reaches
-  /// to both sides: whether it is in pieces nothing tells short of a mesh of all its cells.
+  /// Makes the pair; both shapes must outlive it. Throws UnsupportedPairError for a height field
+  /// with holes that reaches to both sides: only a mesh of all its cells would tell whether it is
+  /// in pieces.
   HalfSpacePair(const PlacedShapeView& a, const PlacedShapeView& b, Work& work);
 
-  /// 1, or 2 where a mesh is divided.
+  /// Returns the number of pairs: 1, or 2 if a mesh is divided.
   std::size_t count() const { return is_divided_ ? 2 : 1; }
   bool is_divided() const { return is_divided_; }
   PlacedShapeView a(std::size_t i = 0) const { return a_.view(i); }
@@ -42,7 +44,7 @@ class HalfSpacePair {
  private:
   struct Side {
     const PlacedShapeView own;
-    std::array<std::optional<Shape>, 2> by = {};  ///< what stands for it, if something does
+    std::array<std::optional<Shape>, 2> by = {};  ///< the shapes that replace it, if any do
 
     PlacedShapeView view(std::size_t i) const { return {by[i] ? *by[i] : own.shape, own.pose}; }
   };
@@ -57,14 +59,15 @@ class HalfSpacePair {
   bool is_divided_ = false;
 };
 
-/// A point of both, in the world, of two of which one is a plane, or both, and that touch; `known`
-/// is a point of the one that is no plane, or on both of two planes.
+/// Returns a point of both shapes, in the world, for a pair with one plane, or two, that touches;
+/// `known` is a point of the shape that is no plane, or of both if both are planes.
 Eigen::Vector3d point_in_plane(const PlacedShapeView& a, const PlacedShapeView& b,
                                const Eigen::Vector3d& known, Work& work);
 
-/// Where the other shape is above the plane, or leaves it upwards: the points below the normal.
+/// Returns the half-space of the points below the plane, which stands for it where the other shape
+/// is above, or leaves it upwards.
 HalfSpace front_of(const Plane& plane);
-/// The points above it.
+/// Returns the half-space of the points above the plane.
 HalfSpace back_of(const Plane& plane);
 
 }  // namespace graze

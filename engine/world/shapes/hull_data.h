@@ -9,7 +9,7 @@ struct ConvexHullAccess {
   static const narrowphase::Hull& data(const ConvexHull& hull) { return *hull.hull_; }
 };
 
-/// What the narrow phase reads.
+/// Returns the data of a hull that the narrow phase reads.
 inline const narrowphase::Hull& data_of(const ConvexHull& hull) {
   return ConvexHullAccess::data(hull);
 }

@@ -13,15 +13,16 @@ using narrowphase::Vec3;
 
 namespace {
 
-// In a tree's units, of which its boxes are a few: what is as far as that is beside all of them,
-// and no float overflows.
+// A length in a tree's units, of which its boxes measure a few: anything that far away is beside
+// all boxes, and no float overflows.
 constexpr double kFar = 0x1p60;
 
 struct Extent {
   double low, high;
 };
 
-/// Of the set along a column of a rotation: of balls and boxes without asking for a point.
+/// Returns the extent of the set along a column of a rotation, for balls and boxes without a
+/// support point.
 Extent extent_along(const Core& core, const Vec3& axis) {
   using enum narrowphase::CoreKind;
   if (core.kind != Point && core.kind != Box)

@@ -1,6 +1,6 @@
 #pragma once
 
-// A mesh's tree walked towards one convex shape. Private to engine/world.
+// Walks a mesh's tree towards one convex shape. Private to engine/world.
 
 #include <graze/bvh/traverse/traverse_nearest.h>
 #include <graze/bvh/traverse/traverse_volume.h>
@@ -14,12 +14,12 @@
 
 namespace graze {
 
-/// Where a convex set lies in the frame of a mesh's tree: a box around it, outward, with the slack
+/// A convex set in the frame of a mesh's tree, as a box around it, rounded outward, with the slack
 /// of the transformation.
 class MeshDescent {
  public:
-  /// `origin` is that of the core's frame. The mesh must outlive it. Builds the mesh's tree if it
-  /// is not there yet.
+  /// Takes the core to the mesh's frame. `origin` is that of the core's frame. The mesh must
+  /// outlive the descent. Builds the mesh's tree if it is not there yet.
   MeshDescent(const PlacedMeshView& mesh, const narrowphase::Core& core,
               const Eigen::Vector3d& origin, Work& work);
 
@@ -47,14 +47,15 @@ class MeshDescent {
                           [&](const bvh::Node& leaf) { return visit(leaf, limit, on_triangle); });
   }
 
-  /// A triangle in the world's frame (law 1).
+  /// Returns a triangle in the world's frame (law 1).
   Triangle placed_triangle(std::uint32_t index) const;
 
-  /// The corners of a triangle as the solvers take them (law 1, then relative to the origin).
+  /// Returns a triangle in the form that the solvers take (placed by law 1, then relative to the
+  /// origin).
   narrowphase::Core triangle(std::uint32_t index) const;
 
-  /// Whether the triangle's box is apart from the set's, both in the mesh's own frame. Without
-  /// branches, as is_apart(): what comes here cannot be foreseen.
+  /// True if the triangle's box is apart from the set's, both in the mesh's own frame. It has no
+  /// branches, like is_apart(), because a CPU could not predict them.
   bool is_triangle_apart(std::uint32_t index) const {
     const TriangleIndices& t = triangles_[index];
     const double* a = vertices_[t[0]].data();
@@ -70,16 +71,16 @@ class MeshDescent {
     return is_apart;
   }
 
-  /// A lower bound of the distance between the triangle and the set, metres.
+  /// Returns a lower bound of the distance between the triangle and the set, metres.
   double triangle_bound(std::uint32_t index) const;
 
   const bvh::Tree& tree() const { return tree_; }
-  /// The set's box in the tree's units, outward.
+  /// Return the corners of the set's box in the tree's units, rounded outward.
   const double (&min() const)[3] { return min_; }
   const double (&max() const)[3] { return max_; }
 
  private:
-  /// What traverse_nearest() asks.
+  /// The bounds of nodes for traverse_nearest().
   template <typename Limit>
   struct NodeBounds {
     const MeshDescent& descent;
@@ -90,7 +91,7 @@ class MeshDescent {
     bool is_beyond(double bound) const { return descent.is_beyond(bound, limit()); }
   };
 
-  /// A lower bound of the distance between what is in the node and the set, metres.
+  /// Returns a lower bound of the distance between the contents of a node and the set, metres.
   double bound(std::uint32_t node) const;
   double bound_of(const double (&low)[3], const double (&high)[3]) const;
   bool is_beyond(double bound, double limit) const;
@@ -123,12 +124,12 @@ class MeshDescent {
   std::span<const Eigen::Vector3d> vertices_;
   std::span<const TriangleIndices> triangles_;
   Work& work_;
-  double min_[3];  ///< of the set's box, in the tree's units
+  double min_[3];  ///< the set's box, in the tree's units
   double max_[3];
-  bvh::FloatBox around_;  ///< the same box, outward
-  double own_min_[3];     ///< in the mesh's frame, metres
+  bvh::FloatBox around_;  ///< the same box, rounded outward
+  double own_min_[3];     ///< the set's box in the mesh's frame, metres
   double own_max_[3];
-  double unit_;    ///< metres
+  double unit_;    ///< the tree's unit, metres
   double shrink_;  ///< lengths in the mesh's frame are at most this much longer than in the world
 };
 

@@ -15,7 +15,7 @@ using narrowphase::Vec3;
 
 namespace {
 
-/// Nodes by a lower bound of the height of what is in them, for traverse_nearest().
+/// Bounds nodes for traverse_nearest(), by a lower bound of the height of their contents.
 template <typename Bound>
 struct HeightBounds {
   const Bound& bound;

@@ -1,6 +1,6 @@
 #pragma once
 
-// How a mesh lies above a plane. Private to engine/world.
+// Finds heights of a mesh above a plane. Private to engine/world.
 
 #include <graze/bvh/tree/tree.h>
 #include <graze/engine/mesh/placed_mesh.h>
@@ -12,29 +12,32 @@
 
 namespace graze {
 
-/// How a set lies above a plane.
+/// The height of a set above a plane.
 struct Height {
-  double height;  ///< of the lowest point, metres; negative below
-  double slack;   ///< what it is off by, at most
+  double height;  ///< the height of the lowest point, metres; negative below the plane
+  double slack;   ///< the most by which the height is off, metres
   narrowphase::Vec3 lowest;
 };
 
-/// The vertices of a placed mesh above the plane of a half-space, by its tree: a node's box is
-/// bounded by the plane turned into the mesh's frame.
+/// Finds vertices of a placed mesh by their heights above the plane of a half-space. It walks the
+/// mesh's tree: heights of a node's box are bounded in the mesh's frame, into which the plane is
+/// turned.
 class MeshHeights {
  public:
-  /// `origin` is that of the plane's frame. All must outlive this. Builds the mesh's tree if it is
-  /// not there yet.
+  /// Takes a mesh and a plane; `origin` is that of the plane's frame. All must outlive this. Builds
+  /// the mesh's tree if it is not there yet.
   MeshHeights(const PlacedMeshView& mesh, const PlacedHalfSpace& plane,
               const Eigen::Vector3d& origin, Work& work);
 
   double slack() const { return slack_; }
-  /// Of a vertex by its index; the same number as of the plane turned over, but for the sign.
+  /// Returns the height of a vertex by its index. For the plane turned over it is the same number
+  /// but for the sign.
   double of_vertex(std::uint32_t index) const;
 
-  /// Walks towards the lowest vertex, until one is not above `enough`.
+  /// Returns the height of the lowest vertex, or of the first one met that is not above `enough`.
   Height lowest(double enough) const;
-  /// A triangle that has corners on both sides, or one on the plane, as far as the slack tells.
+  /// Returns a triangle that, as far as the slack tells, has corners on both sides, or one on the
+  /// plane, if there is any.
   std::optional<std::uint32_t> find_crossed() const;
 
  private:

@@ -33,8 +33,8 @@ namespace {
 
 constexpr double kDoubt = 0x1p-20;
 
-/// Of two that are apart though a search leaves it open: its points are one of each, and the
-/// distance is theirs.
+/// Measures two that are apart though a search leaves that open: the points are one of each, and
+/// the distance is theirs.
 void measure_apart(const Core& core, const Core& triangle, SetGap& gap) {
   const narrowphase::CoreGap found = narrowphase::nearest(core, triangle);
   const Vec3 between = unit_or(found.point_b - found.point_a, found.normal);
@@ -43,8 +43,9 @@ void measure_apart(const Core& core, const Core& triangle, SetGap& gap) {
   gap.distance = std::max(gap.distance, found.upper - core.radius);
 }
 
-/// intersect_mesh_core() does not look at a triangle whose box is apart from the set's: what the
-/// gap's tolerance brings together here is apart for the distance, too, by what the boxes prove.
+/// Keeps a triangle apart whose box is apart from the set's. intersect_mesh_core() does not look at
+/// such a triangle, so that two which only the gap's tolerance brings together are apart for the
+/// distance, too, by the gap that the boxes prove.
 void keep_apart(SetGap& gap, const Core& core, const MeshDescent& descent, std::uint32_t index) {
   if (!descent.is_triangle_apart(index)) return;
   gap.lower = descent.triangle_bound(index);
@@ -52,19 +53,19 @@ void keep_apart(SetGap& gap, const Core& core, const MeshDescent& descent, std::
   if (gap.status == PairStatus::NotConverged) measure_apart(core, descent.triangle(index), gap);
 }
 
-/// The sphere in the world's frame; nothing of other shapes.
+/// Returns the sphere in the world's frame, or nothing for other shapes.
 std::optional<Sphere> placed_ball(const PlacedShapeView& a, const Eigen::Vector3d& middle) {
   const auto* sphere = a.shape.as<Sphere>();
   return sphere == nullptr ? std::nullopt : std::optional(Sphere{middle, sphere->radius});
 }
 
-/// Whether the search leaves a ball's gap open, or rounding is more of it than a millionth.
+/// True if the search leaves a ball's gap open, or if rounding is more than a millionth of the gap.
 bool is_in_doubt(const SetGap& gap, const Sphere& ball) {
   return gap.status == PairStatus::NotConverged || gap.distance <= kDoubt * ball.radius ||
          gap.distance - gap.lower > kDoubt * gap.distance;
 }
 
-/// What a test that is more exact than a search has said.
+/// The answer of a test that is more exact than a search.
 enum class ExactAnswer { None, Apart, Touching };
 
 ShapeDistance distance_after(ExactAnswer answer, const PlacedShapeView& a, const PlacedShapeView& b,

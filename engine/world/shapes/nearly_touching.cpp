@@ -13,8 +13,9 @@
 #include <cmath>
 #include <limits>
 
-// Pairs whose yes or no is more exact than the distance of their cores: what is apart by less than
-// that distance's own rounding is computed once more, in twice the precision or from all features.
+// Returns distances of pairs whose test is more exact than the distance of their cores: if two are
+// apart by less than the rounding of that distance, it is computed once more, in twice the
+// precision or from all features.
 
 namespace graze {
 
@@ -31,7 +32,8 @@ DoublePair square_of(const DoublePair& value) {
   return value * value;
 }
 
-/// length - radius from the square of the length, which is greater by less than either is.
+/// Returns length - radius from the square of the length. The length is greater than the radius by
+/// less than either is.
 double beyond(const DoublePair& square, const DoublePair& radius) {
   const DoublePair difference = square - square_of(radius);
   return difference.high / (std::sqrt(square.high) + radius.high);
@@ -79,8 +81,8 @@ ShapeDistance distance_of_spheres(const PlacedShapeView& a, const PlacedShapeVie
   return found;
 }
 
-// What the exact test reads is the centre in the box's frame, rounded once (law 3). What that
-// leaves of the distance is not proved of the box as its pose places it, so the bound stays 0.
+// The exact test reads the centre in the box's frame, rounded once (law 3). The distance from there
+// is not proved for the box as its pose places it, so the bound stays 0.
 ShapeDistance distance_of_sphere_and_box(const PlacedShapeView& a, const PlacedShapeView& b,
                                          bool is_hit, Work& work) {
   ShapeDistance found = distance_of_cores(a, b, work);
@@ -107,7 +109,7 @@ ShapeDistance distance_of_sphere_and_box(const PlacedShapeView& a, const PlacedS
   return found;
 }
 
-// Where the bounds leave open whether the two touch the exact test says it.
+// Where the bounds leave open whether the two touch, the exact test decides.
 SetGap gap_of_ball(const Sphere& placed, const Triangle& triangle) {
   const narrowphase::BallGap gap = narrowphase::ball_gap(placed, triangle);
   SetGap result{};
@@ -118,7 +120,7 @@ SetGap gap_of_ball(const Sphere& placed, const Triangle& triangle) {
   result.point_b = gap.to_point;
   result.point_a =
       result.is_apart ? unit_or(gap.to_point, gap.normal) * placed.radius : gap.to_point;
-  double scale = 0;  // and not more than the pair's
+  double scale = 0;  // a scale that is no more than the pair's
   for (const Eigen::Vector3d* corner : {&triangle.a, &triangle.b, &triangle.c})
     scale = std::max(scale, placed.radius + length(to_vec3(*corner) - to_vec3(placed.centre)));
   const bool is_known = result.distance - result.lower <= kTouchTolerance * scale;
@@ -128,13 +130,13 @@ SetGap gap_of_ball(const Sphere& placed, const Triangle& triangle) {
 
 namespace {
 
-// Of the sizes of two boxes, more than what the slack of the axes makes of rounding and of
-// deviations (volumes/boxes/obb_slack.h): 0xa0p-53 and 12 of the sums of half extents, which are at
-// most 1.74 times as much.
+// Shares of the sizes of two boxes, for rounding and for deviations. They are more than the slack
+// of the axes (volumes/boxes/obb_slack.h): 0xa0p-53 and 12 of the sums of half extents, which are
+// at most 1.74 times the sizes.
 constexpr double kRoundingOfAxes = 0x200p-53;
 constexpr double kDeviationOfAxes = 32;
 
-/// Whether edges of the two are at an angle of less than that sine.
+/// True if edges of the two are at an angle of less than that sine.
 bool have_parallel_edges(const Pose& pose_a, const Pose& pose_b, double sine) {
   const double* m = pose_a.data();  // column-major 4x4
   const double* o = pose_b.data();
@@ -149,9 +151,8 @@ bool have_parallel_edges(const Pose& pose_a, const Pose& pose_b, double sine) {
 
 }  // namespace
 
-// An axis of length sin(phi) that parts two boxes by a gap says so unless gap sin(phi) is within
-// the slack: what is apart by more than the tolerance is hidden for angles below slack / tolerance
-// alone.
+// An axis of length sin(phi) that parts two boxes by a gap shows that unless gap sin(phi) is within
+// the slack: a gap above the tolerance is hidden only for angles below slack / tolerance.
 bool intersect_boxes(const PlacedShapeView& a, const PlacedShapeView& b, Work& work) {
   const narrowphase::ObbRow row_a = narrowphase::row_of(placed_box(a));
   const narrowphase::ObbRow row_b = narrowphase::row_of(placed_box(b));

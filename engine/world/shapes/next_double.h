@@ -1,7 +1,8 @@
 #pragma once
 
-// The doubles beside one: std::nextafter() towards the infinities, without the call. Private to
-// engine/world; static, so that each source compiles its own copy, whatever flags others have.
+// Returns the doubles beside a double, as std::nextafter() towards the infinities does, without the
+// call. Private to engine/world; static, so that each source compiles its own copy, whatever flags
+// others have.
 
 #include <bit>
 #include <cstdint>
@@ -9,7 +10,7 @@
 
 namespace graze {
 
-/// The least double above; infinity and what is no number stay what they are.
+/// Returns the least double above a value. Infinity and NaN are returned unchanged.
 static inline double next_up(double value) {
   if (!(value < std::numeric_limits<double>::infinity())) return value;
   if (value == 0) return std::numeric_limits<double>::denorm_min();

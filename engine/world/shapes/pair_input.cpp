@@ -18,18 +18,19 @@ using narrowphase::Vec3;
 
 namespace {
 
-/// -1, 0 or 1 as the first numbers that differ say.
+/// Returns -1, 0 or 1 by the first numbers that differ.
 int order(const double* a, const double* b, int count) {
   for (int i = 0; i < count; ++i) {
     if (a[i] != b[i]) return a[i] < b[i] ? -1 : 1;
-    // Zeros of either sign are one number, but not the same bits in what is computed from them.
+    // Zeros of either sign are equal, but results computed from them differ in bits.
     const bool is_negative = std::signbit(a[i]);
     if (is_negative != std::signbit(b[i])) return is_negative ? -1 : 1;
   }
   return 0;
 }
 
-/// The order of the numbers of two shapes of one kind; 0 only where swapping them changes nothing.
+/// Returns the order of the numbers of two shapes of one kind; 0 only where swapping them changes
+/// nothing.
 struct NumbersOf {
   const Shape::Value& other;
 
@@ -70,7 +71,7 @@ struct NumbersOf {
     const int by_normal = order(s.normal.data(), o.normal.data(), 3);
     return by_normal != 0 ? by_normal : order(&s.offset, &o.offset, 1);
   }
-  /// Half-spaces stand for them wherever the order matters.
+  /// Half-spaces replace planes wherever the order matters.
   int operator()(const graze::Plane&) const { return 0; }
   int operator()(const Mesh& s) const {
     const Mesh& o = std::get<Mesh>(other);
@@ -86,7 +87,7 @@ struct NumbersOf {
                                                 o.triangles().begin(), o.triangles().end());
     return by_number < 0 ? -1 : by_number > 0;
   }
-  /// Meshes stand for them wherever the order matters.
+  /// Meshes replace height fields wherever the order matters.
   int operator()(const HeightField&) const { return 0; }
 
  private:
@@ -98,13 +99,14 @@ struct NumbersOf {
   }
 };
 
-/// The point that far from A's core towards B's.
+/// Returns the point at that distance from A's core towards B's.
 Vec3 between(const CoreGap& gap, double distance) {
   if (!(gap.upper > 0)) return gap.point_a;
   return gap.point_a + (gap.point_b - gap.point_a) * (distance / gap.upper);
 }
 
-/// Some point of both sets, whose cores have points `upper` apart, not more than the radii.
+/// Returns some point of both sets. Their cores have points that are `upper` apart, which is at
+/// most the sum of the radii.
 Vec3 common_point(const Core& a, const Core& b, const CoreGap& gap) {
   const double from = std::max(0.0, gap.upper - b.radius);
   const double to = std::min(a.radius, gap.upper);

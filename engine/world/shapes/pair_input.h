@@ -1,7 +1,7 @@
 #pragma once
 
-// A pair in canonical order, so that swapping A and B changes nothing but names (law 4). Private to
-// engine/world.
+// Puts pairs in canonical order, so that swapping A and B changes nothing but names (law 4).
+// Private to engine/world.
 
 #include <graze/bvh/pose.h>
 #include <graze/engine/work.h>
@@ -15,31 +15,32 @@
 
 namespace graze {
 
-/// True if B goes first: the lower kind does, and of equals the one whose pose, and then whose
-/// numbers, come first.
+/// True if B goes first: the lower kind goes first, and of equal kinds the one whose pose, or else
+/// whose numbers, come first.
 bool is_swapped(const PlacedShapeView& a, const PlacedShapeView& b);
 
-/// intersects() for shapes whose bounding_aabb() share a point, in poses that were checked. Without
-/// that it may say "hit" of two that a tolerance brings together and their boxes part.
+/// Returns intersects() for shapes whose bounding_aabb() share a point, in poses that were checked.
+/// For other shapes it may say "hit" where a tolerance brings two together and their boxes part
+/// them.
 bool intersect_in_boxes(const PlacedShapeView& a, const PlacedShapeView& b, Work& work);
 
-/// intersects() and distance() of shapes in poses that were checked, neither of which is a height
-/// field or a plane.
+/// Return intersects() and distance() of shapes in poses that were checked, neither of which is a
+/// height field or a plane.
 bool intersect_checked(const PlacedShapeView& a, const PlacedShapeView& b, Work& work);
 ShapeDistance distance_of_checked(const PlacedShapeView& a, const PlacedShapeView& b, Work& work);
 
-/// find_contacts() of what intersect_in_boxes() takes, in the place of what `found` held: its
-/// memory is used again.
+/// Writes find_contacts() of shapes as intersect_in_boxes() takes them to `found`, whose memory is
+/// used again.
 void contacts_in_boxes(const PlacedShapeView& a, const PlacedShapeView& b, Work& work,
                        Manifold& found);
 
 /// Throws unless both poses are fit for shapes.
 void check_poses(const Pose& pose_a, const Pose& pose_b);
 
-/// The same with A and B swapped.
+/// Returns the distance with A and B swapped.
 ShapeDistance mirrored(ShapeDistance found);
 
-/// Distances of two sets from what is known of their cores.
+/// The gap of two sets, computed from that of their cores.
 struct SetGap {
   bool is_apart;
   double distance;  ///< 0 unless apart
@@ -49,10 +50,11 @@ struct SetGap {
   narrowphase::Vec3 normal;
   PairStatus status;
 };
-/// Sets that are further apart than `limit`, metres, need no more than that proved.
+/// Returns the gap of two sets. If they are further apart than `limit`, metres, only that need be
+/// proved.
 SetGap gap_of_sets(const narrowphase::Core& a, const narrowphase::Core& b,
                    double limit = std::numeric_limits<double>::infinity());
-/// As gap_of_sets(), of a gap that was found otherwise.
+/// Returns the gap of two sets, from a gap of their cores that was found otherwise.
 SetGap set_gap(const narrowphase::Core& a, const narrowphase::Core& b,
                const narrowphase::CoreGap& gap);
 bool are_apart(const narrowphase::Core& a, const narrowphase::Core& b, PairStatus& status);

@@ -13,8 +13,8 @@ using narrowphase::Vec3;
 
 namespace {
 
-// One support point, off by 31 u of the scale (core_gap.cpp), a dot product by 4 u more, and the
-// normal by 11 u.
+// The support point is off by 31 u of the scale (core_gap.cpp), the dot product by 4 u more, and
+// the normal by 11 u.
 Height height_of(const Core& core, const PlacedHalfSpace& plane) {
   const Vec3 lowest = rounded_support(core, -plane.normal);
   const double size =
@@ -97,7 +97,8 @@ ShapeDistance distance_of_planes(const PlacedShapeView& a, const PlacedShapeView
             to_eigen(of_a.normal),
             PairStatus::Converged};
   }
-  // Some point deep in both: where -n_a and -n_b point together, unless they are opposite.
+  // This is some point deep in both: in a direction that -n_a and -n_b share, unless they are
+  // opposite.
   const double cosine = dot(of_a.normal, of_b.normal);
   const double determinant = 1 - cosine * cosine;
   Vec3 common = on_a;

@@ -21,8 +21,7 @@ using narrowphase::Vec3;
 // of the scale:
 // - Balls: not at all but for rounding.
 // - A ball and a box: law 3 reads the box within 4 dev of its bounding radius of its image, now and
-// later,
-//   and the length of R^T v is within 1.6 dev of that of v, which is at most the scale.
+//   later, and the length of R^T v is within 1.6 dev of that of v, which is at most the scale.
 // - Two boxes: obb_slack.h. The slack is below 18 dev of the sum of all half extents, which is
 //   below 1.74 of the bounding radii, and the test takes A's frame for B's axes: 3.1 dev of 2 D.
 // Rounding: differences of origins are off by u of all coordinates, what three products and sums
@@ -54,8 +53,8 @@ double apart_as_ball_and_box(const Sphere& ball, const Vec3& at, const Box& box,
   return std::sqrt(square) - ball.radius;
 }
 
-/// The gap beside the faces of A. Where A turns, B is swept past its faces by as much as B's points
-/// are farther from A's origin than A's own: so B's farthest point sets the measure.
+/// Returns the gap beside the faces of A. Where A turns, B is swept past its faces by as much as
+/// B's points are farther from A's origin than A's own: so B's farthest point decides.
 double gap_beside_faces(const Box& box_a, const BoundedShape& a, const Box& box_b,
                         const BoundedShape& b, double margin) {
   const Vec3 between = origin_of(b.pose) - origin_of(a.pose);
@@ -109,7 +108,8 @@ double quick_gap(const BoundedShape& a, const BoundedShape& b) {
 
 namespace {
 
-/// The most that any direction tried has a triangle beyond a ball or a box; 0 if none has.
+/// The largest gap of a triangle from a ball or a box along any direction tried; 0 if there is
+/// none.
 class Beyond {
  public:
   Beyond(const Core& core, const Core& triangle) : core_(core) {
@@ -124,11 +124,11 @@ class Beyond {
   double most() const { return most_; }
 
  private:
-  /// Of a length of at most 1.
+  /// Tries a direction, of a length of at most 1.
   void offer(const Vec3& axis) {
     const double a = dot(corner_[0], axis), b = dot(corner_[1], axis), c = dot(corner_[2], axis);
     const double low = std::min(a, std::min(b, c)), high = std::max(a, std::max(b, c));
-    const Vec3& half = core_.half;  // none of a ball
+    const Vec3& half = core_.half;  // 0 for a ball
     const double radius = (std::abs(dot(core_.axis[0], axis)) * half.x +
                            std::abs(dot(core_.axis[1], axis)) * half.y) +
                           (std::abs(dot(core_.axis[2], axis)) * half.z + core_.radius);

@@ -74,15 +74,15 @@ Ellipsoid checked(const Ellipsoid& ellipsoid) {
 
 /// Scaling leaves a normal whose squared length is within 8 u of 1, u = 2^-53: x, y and z carry u
 /// each, the root 2 u, the quotients u more, so that the length is within 3 u, its square within 6
-/// u, and the sum here within 2 u of that. Whatever is as near as that stays as it is: else a shape
-/// made from another's numbers would be another.
+/// u, and the sum here within 2 u of that. A normal as near to that length stays as it is: else a
+/// shape made from another's numbers would differ from it.
 constexpr double kUnitSquareError = 0x1p-50;
 
 bool is_unit(const double* n) {
   return std::abs(((n[0] * n[0] + n[1] * n[1]) + n[2] * n[2]) - 1) <= kUnitSquareError;
 }
 
-/// The same set, with a normal of length 1 to rounding: a half-space, or a plane.
+/// Returns the same half-space or plane with a normal of length 1 up to rounding.
 template <typename Flat>
 Flat checked_flat(const Flat& flat, const char* what) {
   return bvh::in_standard_arithmetic([&]() -> Flat {

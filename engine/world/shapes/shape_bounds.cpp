@@ -24,9 +24,9 @@ double above(double value) {
   return std::min(next_up(value), kLargest);
 }
 
-// Distances as computed are off by at most 128 u of the sizes of both shapes and the distance
-// between them (core_gap.cpp): each box has room for twice its share, so that it tells of no more
-// than they.
+// Computed distances are off by at most 128 u of the sizes of both shapes and the distance between
+// them (core_gap.cpp): each box has room for twice its share, so that boxes are no farther apart
+// than these distances.
 constexpr double kDistanceShare = 0x100p-53;
 
 // The shape as law 3 reads it, or a ray, is the set of all p with R^T (p - t) in its own frame: off
@@ -39,7 +39,7 @@ void give_room(Aabb& box, int i, double room) {
   box.max.data()[i] += room;
 }
 
-/// The box around a turned box: its projected radius along each axis of the world.
+/// Returns the box around a turned box, by its projected radius along each axis of the world.
 Aabb bounds_of_box(const Box& shape, const Pose& pose, double deviation) {
   const double* m = pose.data();  // column-major 4x4
   const double* half = shape.half_extents.data();
@@ -93,7 +93,7 @@ Aabb bounds_of_half_space(const HalfSpace& half_space, const Pose& pose) {
   return box;
 }
 
-/// What is in both of its half-spaces.
+/// Returns the box of the points that are in the boxes of both of its half-spaces.
 Aabb bounds_of_plane(const graze::Plane& plane, const Pose& pose) {
   const Aabb front = bounds_of_half_space(front_of(plane), pose);
   const Aabb back = bounds_of_half_space(back_of(plane), pose);
@@ -151,7 +151,7 @@ Aabb bounding_aabb(const PlacedShapeView& placed) {
   });
 }
 
-// A difference of doubles is no less than the least double, and as exact as that.
+// A positive difference of doubles is at least the least double, so that rounding down stops there.
 BoxGap gap_between(const Aabb& a, const Aabb& b) {
   return bvh::in_standard_arithmetic([&]() -> BoxGap {
     BoxGap most;

@@ -27,7 +27,7 @@ namespace {
 
 using enum PairMethod;
 
-// Rows and columns in the order of ShapeKind; below the diagonal it is mirrored.
+// Rows and columns are in the order of ShapeKind; the table is symmetric.
 constexpr std::size_t kKinds = kShapeKinds.size();
 constexpr std::array<std::array<PairMethod, kKinds>, kKinds> kMethods = [] {
   // A height field is asked as a mesh is, and a plane as a half-space.
@@ -66,7 +66,7 @@ PlacedMeshView placed_mesh(const PlacedShapeView& s) {
   return {*s.shape.as<Mesh>(), s.pose};
 }
 
-/// As intersects() of a sphere and an oriented box (law 3), of volumes that have been checked.
+/// Returns intersects() of a sphere and an oriented box (law 3), which have been checked.
 bool meet_sphere_box(const PlacedShapeView& a, const PlacedShapeView& b) {
   const Sphere sphere = placed_sphere(a);
   const Eigen::Vector3d& half = b.shape.as<Box>()->half_extents;
@@ -80,12 +80,13 @@ bool intersect_mesh_volume(const PlacedShapeView& a, const PlacedShapeView& b, W
   return intersects(mesh, placed_box(a), &work);
 }
 
-/// True for pairs of which every hit is in both boxes: those that are exact in the world's frame.
+/// True for pairs whose every hit is in both boxes: those that are exact in the world's frame.
 bool lies_in_boxes(PairMethod method) {
   return method == ExactSpheres || method == MeshVolume || method == Meshes;
 }
 
-/// Of a ball about the shape's middle that lies in it, metres; 0 where that is not known at once.
+/// Returns the radius of a ball about the shape's middle that lies in it, metres; 0 where none is
+/// known at once.
 double inner_radius(const Shape& shape) {
   if (const auto* s = shape.as<Sphere>()) return s->radius;
   if (const auto* s = shape.as<Box>()) {
@@ -98,7 +99,8 @@ double inner_radius(const Shape& shape) {
 }
 
 /// True if the boxes share a point for sure: each holds its ball, which no pose and no rounding
-/// makes a thousandth smaller. Boxes themselves cost more than to know that two shapes touch.
+/// makes smaller by a thousandth. Computing the boxes would cost more than the test of two shapes
+/// that touch.
 bool have_near_middles(const PlacedShapeView& a, const PlacedShapeView& b) {
   const double inner_a = inner_radius(a.shape), inner_b = inner_radius(b.shape);
   if (inner_a == 0 || inner_b == 0) return false;
@@ -142,7 +144,7 @@ bool intersect_in_order(const PlacedShapeView& a, const PlacedShapeView& b, Work
 
 ShapeDistance distance_of_meshes(const PlacedShapeView& a, const PlacedShapeView& b, Work& work) {
   const MeshDistance found = distance(placed_mesh(a), placed_mesh(b), {}, &work);
-  // Law 7: off by at most 4 ulp of the largest difference of coordinates.
+  // By law 7 the distance is off by at most 4 ulp of the largest difference of coordinates.
   const Aabb& box_a = placed_mesh(a).mesh.bounds();
   const Aabb& box_b = placed_mesh(b).mesh.bounds();
   double largest = 0;
@@ -184,8 +186,8 @@ ShapeDistance distance_in_order(const PlacedShapeView& a, const PlacedShapeView&
   throw UnsupportedPairError("shape pair: there is no such method");
 }
 
-/// Two that only a tolerance brings together, or that a test parts by no more than rounding, and
-/// that their boxes part.
+/// Returns the distance of two shapes that their boxes part, where only a tolerance brings them
+/// together, or a test parts them by no more than rounding.
 ShapeDistance parted(ShapeDistance found, const BoxGap& boxes) {
   const double sign = boxes.is_a_below ? 1 : -1;
   Eigen::Vector3d normal(0, 0, 0);
@@ -205,12 +207,12 @@ ShapeDistance distance_in_boxes(const PlacedShapeView& a, const PlacedShapeView&
   return boxes.gap == 0 ? found : parted(found, boxes);
 }
 
-/// Of which one is a plane, or both.
+/// Returns the distance of a pair with one plane, or two.
 ShapeDistance distance_of_plane(const PlacedShapeView& a, const PlacedShapeView& b, Work& work) {
   const HalfSpacePair by(a, b, work);
   ShapeDistance found = distance(by.a(), by.b(), &work);
   if (found.distance == 0) {
-    // In the half-space, but perhaps not in the plane.
+    // The points are in the half-space, but perhaps not in the plane.
     found.point_a = found.point_b = point_in_plane(a, b, found.point_a, work);
     return found;
   }
@@ -219,7 +221,7 @@ ShapeDistance distance_of_plane(const PlacedShapeView& a, const PlacedShapeView&
   return behind.distance < found.distance ? behind : found;
 }
 
-/// Of which one is a height field, or both.
+/// Returns the distance of a pair with one height field, or two.
 ShapeDistance distance_of_field(const PlacedShapeView& a, const PlacedShapeView& b, Work& work) {
   if (!is_field(a)) return mirrored(distance_of_field(b, a, work));
   const StandIn of_a = nearest_stand_in(a, b, [&](const Shape& mesh) {

@@ -32,7 +32,7 @@ std::optional<CoreRayHit> cast_at_half_space(const HalfSpace& half_space, const 
   return CoreRayHit{placed.offset / slope, placed.normal};
 }
 
-/// From the side that the ray begins on.
+/// Casts a ray at a plane, as at the half-space behind it as seen from where the ray begins.
 std::optional<CoreRayHit> cast_at_plane(const graze::Plane& plane, const Pose& pose, const Ray& ray,
                                         const Vec3& direction) {
   const HalfSpace front = front_of(plane);

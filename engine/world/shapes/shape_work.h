@@ -4,8 +4,8 @@
 
 namespace graze {
 
-/// While it lives, what Shapes are asked as BodyShapes on this thread adds to the Work: those who
-/// ask know only BodyShapes, which a user may write, and which have no counters.
+/// While it exists, the work of Shapes that are asked as BodyShapes on this thread is added to the
+/// Work: the callers know only BodyShapes, which a user may write, and which have no counters.
 class ShapeWorkScope {
  public:
   explicit ShapeWorkScope(Work& work);
@@ -17,7 +17,7 @@ class ShapeWorkScope {
   Work* outer_;
 };
 
-/// That Work, or one that nobody reads.
+/// Returns the Work of the scope of this thread, or one that nobody reads.
 Work& shape_work();
 
 }  // namespace graze

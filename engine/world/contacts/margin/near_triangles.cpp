@@ -18,25 +18,26 @@ using narrowphase::Vec3;
 
 namespace {
 
-// Lengths below this share of the pair's scale are none.
+// Lengths below this share of the pair's scale count as 0.
 constexpr double kNegligible = 1e-9;
 
-// Cosine of the angle within which a direction is a face's normal, 1.4e-5: taken for it, it is as
-// long to 1e-10.
+// The cosine of 1.4e-5 radians: a direction that is that near to a face's normal is replaced by it,
+// which changes lengths by at most a share of 1e-10.
 constexpr double kAlongNormal = 1 - 1e-10;
 
-// Of points that are nearer to each other than this share of the pair's scale rounding turns the
-// line between them by more than kNegligible: where faces lie along each other they tell the exit.
+// Rounding turns the line between points that are nearer to each other than this share of the
+// pair's scale by more than kNegligible: where faces lie along each other the faces then tell the
+// exit.
 constexpr double kUntold = 1e-7;
 
-// Two ways out are one within 2 degrees.
+// The cosine of 2 degrees, within which two ways out are one.
 constexpr double kAlongExit = 0.9994;
 
-// Points that are nearer to each other than this share of a region's size are one: a corner that
-// is found on either side of an edge, or as an end of a crossing as well.
+// Points that are nearer to each other than this share of a region's size are one, such as a corner
+// that is found on either side of an edge, or also as an end of a crossing.
 constexpr double kOnePlace = 1e-4;
 
-/// The box around a mesh in its own frame, as a set.
+/// Returns the box around a mesh in its own frame, as a core.
 Core box_of(const PlacedMeshView& mesh, const Vec3& origin) {
   const double* m = mesh.pose.data();  // column-major 4x4
   const Vec3 min = to_vec3(mesh.mesh.bounds().min), max = to_vec3(mesh.mesh.bounds().max);
@@ -57,7 +58,7 @@ bool has_point(const Core& triangle, const Vec3& point, double within) {
   return narrowphase::nearest(triangle, at).upper <= within;
 }
 
-/// Whether nothing of the triangle is ahead of a point in a direction.
+/// True if nothing of the triangle is ahead of a point in a direction.
 bool is_behind(const Core& triangle, const Vec3& point, const Vec3& direction, double within) {
   return std::all_of(triangle.corner, triangle.corner + 3,
                      [&](const Vec3& corner) { return dot(corner - point, direction) <= within; });
@@ -85,8 +86,8 @@ void NearTriangles::add() {
   rebuild();
 }
 
-/// The regions that are known are those of the meshes themselves. Where these touch along several
-/// directions at once, each has its own.
+/// Grows the known regions, which are those of the meshes without margin. If the meshes touch along
+/// several directions at once, each direction has its own regions.
 void NearTriangles::grow_known() {
   candidates_.end_region();
   const double margin = candidates_.margin;
@@ -131,8 +132,8 @@ void NearTriangles::find_pairs() {
   });
 }
 
-/// The ways out of what is apart: where two features are as near to each other as anything around
-/// them, and face each other.
+/// Finds the exits of features that are apart: those that face each other and are as near to each
+/// other as anything around them.
 void NearTriangles::find_exits() {
   const bool nothing_touches = s_.exits.empty();
   for (const NearPair& pair : s_.pairs) {
@@ -160,8 +161,8 @@ void NearTriangles::find_exits() {
   }
 }
 
-/// Along the line between the nearest points, whose rounding a small distance magnifies: where that
-/// is along a face's normal it is the normal.
+/// Returns the direction of the line between the nearest points. A small distance magnifies their
+/// rounding, so a direction that is along a face's normal is replaced by the normal.
 Vec3 NearTriangles::exit_direction(const NearPair& pair) {
   const Vec3 between = (pair.point_b - pair.point_a) * (1 / pair.distance);
   if (-dot(pair.normal_b, between) > kAlongNormal) return -pair.normal_b;
@@ -169,7 +170,8 @@ Vec3 NearTriangles::exit_direction(const NearPair& pair) {
   return between;
 }
 
-/// All triangles around a nearest point are near, too.
+/// True if the two features face each other along the normal and nothing around them is nearer. All
+/// triangles around a nearest point are near, too.
 bool NearTriangles::is_local(const NearPair& pair, const Vec3& normal, double negligible) const {
   double facing_a = -1, facing_b = -1;
   for (const NearPair& other : s_.pairs) {
@@ -185,7 +187,8 @@ bool NearTriangles::is_local(const NearPair& pair, const Vec3& normal, double ne
   return facing_a > 0 && facing_b > 0;
 }
 
-/// The number of the first region that is left along a direction, or of regions.
+/// Returns the number of the first region that is left along a direction, or the number of regions
+/// if there is none.
 std::size_t NearTriangles::along(const Vec3& normal) const {
   const auto at = std::find_if(s_.exits.begin(), s_.exits.end(), [&](const RegionExit& exit) {
     return dot(exit.normal, normal) > kAlongExit;
@@ -204,8 +207,7 @@ std::uint32_t NearTriangles::region_of(const Vec3& normal) {
                                  : add_exit(normal, candidates_.margin);
 }
 
-/// Where both faces are nearly at right angles to an exit, what lies between them has contacts
-/// along it.
+/// Adds contacts between two faces along each exit to which both are nearly at right angles.
 void NearTriangles::add_faces(const NearPair& pair) {
   if (FacingFeatures::is_sliver(pair.of_a) || FacingFeatures::is_sliver(pair.of_b)) return;
   for (std::uint32_t region = 0; region < s_.exits.size(); ++region) {
@@ -227,8 +229,8 @@ void NearTriangles::add_faces(const NearPair& pair) {
   }
 }
 
-/// Puts the points of a region together, of those in one place the deepest, and says how large it
-/// is.
+/// Gathers the points of a region, the deepest of those in one place, and returns the size of the
+/// region.
 double NearTriangles::gather(std::uint32_t region) {
   s_.met.clear();
   double size = candidates_.margin;

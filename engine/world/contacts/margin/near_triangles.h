@@ -1,6 +1,6 @@
 #pragma once
 
-// What is near of two meshes, though it may not touch. Private to engine/world.
+// Finds what is near of two meshes, though it may not touch. Private to engine/world.
 
 #include <graze/engine/mesh/placed_mesh.h>
 #include <graze/engine/work.h>
@@ -16,10 +16,11 @@ namespace graze {
 /// Adds to the candidates of two meshes those that a margin demands: for each direction in which
 /// features face each other that are apart by no more than the margin, the nearest points and what
 /// lies between faces nearly at right angles to it. The regions in which the meshes cross take in
-/// what lies beside them, likewise. Directions that differ by less than two degrees are one, so
-/// that whose face is nearer, which is rounding where faces lie along each other, is no matter. Of
-/// each region four points are left, named as those of meshes that touch are: a body that rocks
-/// keeps its contacts. O(t log n) for t triangles of A near B, and the pairs among them.
+/// what is near beside them in the same way. Directions that differ by less than two degrees are
+/// one, so that it does not matter whose face is nearer, which depends on rounding where faces lie
+/// along each other. Four points of each region are left, with the features of meshes that touch,
+/// so that a body that rocks keeps its contacts. It costs O(t log n) for t triangles of A near B,
+/// and the pairs among them.
 class NearTriangles {
  public:
   NearTriangles(const PlacedMeshView& a, const PlacedMeshView& b, ContactCandidates& candidates,
@@ -32,13 +33,13 @@ class NearTriangles {
     std::uint32_t index_b;
     narrowphase::Core of_a, of_b;
     narrowphase::Vec3 normal_a, normal_b;
-    narrowphase::Vec3 point_a, point_b;  ///< nearest to each other
+    narrowphase::Vec3 point_a, point_b;  ///< the points nearest to each other
     double distance;
   };
   struct RegionExit {
     narrowphase::Vec3 normal;
-    double depth;         ///< of A grown: the greatest of a point
-    bool is_first_along;  ///< no region before it is left along the same direction
+    double depth;         ///< the greatest depth of a point of A grown by the margin
+    bool is_first_along;  ///< true if no region before it is left along the same direction
   };
   struct LocalExit {
     narrowphase::Vec3 normal;
@@ -46,15 +47,15 @@ class NearTriangles {
   };
   struct Touch {
     std::uint32_t region;
-    MetPoints met;  ///< of A grown
+    MetPoints met;  ///< the points of A grown by the margin and of B
   };
-  /// Kept from one pair to the next, so that no step of a simulation allocates.
+  /// Memory that is kept from one pair to the next, so that no step of a simulation allocates.
   struct Scratch {
     std::vector<NearPair> pairs;
     std::vector<RegionExit> exits;
     std::vector<LocalExit> local;
     std::vector<Touch> touches;
-    std::vector<MetPoints> met;  ///< of one region
+    std::vector<MetPoints> met;  ///< the points of one region
   };
   static Scratch& scratch();
 

@@ -25,13 +25,13 @@ using narrowphase::Vec3;
 
 namespace {
 
-// What rounding makes of points and depths, as a share of how far the points are from the origin
-// beside them, is far less.
+// A share of how far points are from the origin beside them; the rounding of points and depths is
+// far less.
 constexpr double kRounding = 1e-9;
 
-/// Of two that are apart: leaves out the regions whose way out is longer than the margin, as where
-/// a triangle can be left only past others that are not near. Those of features that are near are
-/// as long as the margin lacks of the distance.
+/// Removes the regions of two shapes that are apart whose way out is longer than the margin, as
+/// where a triangle can be left only past others that are not near. The ways out of near features
+/// are as long as the margin minus the distance.
 void drop_ways_of_others(ContactCandidates& candidates) {
   candidates.end_region();
   std::vector<ContactPoint>& list = candidates.list;
@@ -56,9 +56,9 @@ void drop_ways_of_others(ContactCandidates& candidates) {
   candidates.ends.resize(kept_ends);
 }
 
-/// No two points of the pair are farther apart than this, metres; of a half-space those count that
-/// are nearest to a point of the other. To grow a shape by more would bring in nothing, and its
-/// depths would lose their last bits beside it.
+/// Returns a length, metres, such that no two points of the pair are farther apart; of a half-space
+/// only the points nearest to those of the other count. Growing a shape by more would add nothing,
+/// and depths would lose their last bits beside it.
 double width_of(const PlacedShapeView& a, const PlacedShapeView& b) {
   if (a.shape.kind() == ShapeKind::HalfSpace) return width_of(b, a);
   const Aabb box = bounding_aabb({a.shape, a.pose});
@@ -76,7 +76,7 @@ double width_of(const PlacedShapeView& a, const PlacedShapeView& b) {
   return std::sqrt(square);
 }
 
-/// The nearest points of the pair in order.
+/// Adds the nearest points of the pair, in order of kinds.
 void add_nearest_points(const PlacedShapeView& a, const PlacedShapeView& b,
                         ContactCandidates& candidates, Work& work) {
   const ShapeDistance found = is_swapped(a, b) ? distance(b, a, &work) : distance(a, b, &work);
@@ -88,13 +88,13 @@ void add_nearest_points(const PlacedShapeView& a, const PlacedShapeView& b,
                              narrowphase::kPointFeature, narrowphase::kPointFeature});
 }
 
-/// Of two that do not touch.
+/// True if a body is where the sides of a mesh count. The two must not touch.
 bool is_in(const PlacedShapeView& body, const PlacedShapeView& mesh, const MeshSides& sides,
            Work& work) {
   return sides.kind() != Sides::Surface && Enclosure(body, mesh, sides, work).holds();
 }
 
-/// What of a height field is near by the margin, or behind by a thickness.
+/// Returns which part of a height field is needed: near by the margin, or behind by a thickness.
 FieldNeed need_of(const ManifoldSettings& settings) {
   const double thickness = std::max(settings.sides_a.thickness(), settings.sides_b.thickness());
   return {.room = std::max(settings.margin, thickness), .aside = kContactAside};
@@ -143,7 +143,8 @@ Nearness nearness(const PlacedShapeView& a, const PlacedShapeView& b,
 
 namespace {
 
-/// The body is the first in the list of candidates, and the mesh the second.
+/// Writes the contacts of a body and a mesh whose sides count. In the list of candidates the body
+/// is A, and the mesh B.
 void write_enclosed(const PlacedShapeView& a, const PlacedShapeView& b,
                     const ManifoldSettings& settings, Work& work, Manifold& found) {
   ContactCandidates& candidates = empty_candidates(0);
@@ -160,7 +161,7 @@ double deepest_in(const Manifold& found) {
   return found.empty() ? -std::numeric_limits<double>::infinity() : found[0].depth;
 }
 
-/// Of which one is a plane, or both.
+/// Returns the relation and the contacts of a pair with one plane, or two.
 Nearness contacts_beside_plane(const PlacedShapeView& a, const PlacedShapeView& b,
                                const ManifoldSettings& settings, Work& work, Manifold& found) {
   const HalfSpacePair by(a, b, work);
@@ -211,7 +212,7 @@ Nearness contacts_within(const PlacedShapeView& a, const PlacedShapeView& b,
   if (candidates.list.empty()) {
     if (nearness == Nearness::Near) {
       add_nearest_points(a, b, candidates, work);
-    } else {  // what touches is found without a margin
+    } else {  // shapes that touch have contacts without a margin
       candidates.margin = 0;
       candidates_of_pair(a, b, candidates, work);
     }

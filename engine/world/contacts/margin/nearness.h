@@ -1,6 +1,6 @@
 #pragma once
 
-// Pairs with a margin or with sides. Private to engine/world.
+// Answers pairs with a margin or with sides. Private to engine/world.
 
 #include <graze/engine/work.h>
 #include <graze/engine/world/manifold.h>
@@ -10,24 +10,26 @@
 
 namespace graze {
 
-/// How two placed shapes stand to each other.
+/// The relations of two placed shapes.
 enum class Nearness : std::uint8_t {
-  Apart,     ///< by more than the margin
-  Near,      ///< by no more than that
-  Enclosed,  ///< not touching, but one is where the other's sides count
-  Touching   ///< not apart
+  Apart,     ///< apart by more than the margin
+  Near,      ///< apart by no more than the margin
+  Enclosed,  ///< apart, but one is where the other's sides count
+  Touching   ///< touching
 };
 
-/// Metres, as distance() says, or its lower bound where that has not converged: what is not known
-/// to be farther counts as near. Of poses that have been checked.
+/// Returns the relation of two shapes by distance(), or by its lower bound where that has not
+/// converged: shapes that are not known to be farther count as near. The poses must have been
+/// checked.
 Nearness nearness(const PlacedShapeView& a, const PlacedShapeView& b,
                   const ManifoldSettings& settings, Work& work);
 
-/// The same with the contacts, in the place of what `found` held: none exactly if they are Apart.
+/// Returns the relation of two shapes, and replaces what `found` held by their contacts: none
+/// exactly if they are Apart.
 Nearness contacts_within(const PlacedShapeView& a, const PlacedShapeView& b,
                          const ManifoldSettings& settings, Work& work, Manifold& found);
 
-/// Whether the settings ask for no more than what touches.
+/// True if the settings have neither margin nor sides.
 bool are_plain(const ManifoldSettings& settings);
 
 /// Throws InputError for a margin that is negative, infinite or NaN; what() begins with `what`.

@@ -116,7 +116,7 @@ void InnerSurface::collect(const PlacedMeshView& mesh, const Vec3& origin, Inner
   }
 }
 
-/// Whether the way along an edge leads outside, if only for a part of it.
+/// True if the way along an edge leads outside, if only for a part of it.
 bool InnerSurface::is_crossed(const std::vector<EdgeCrossing>& edges, std::uint32_t s,
                               std::uint32_t t) {
   const std::uint64_t ends = std::uint64_t{std::min(s, t)} << 32 | std::max(s, t);
@@ -133,7 +133,7 @@ void InnerSurface::start(const std::vector<EdgeCrossing>& edges, LoopGroups& gro
   const auto is_same = [&](std::size_t i, std::size_t j) {
     return edges[i].low == edges[j].low && edges[i].high == edges[j].high;
   };
-  // What is outside by any crossing is so before what is inside by another is taken.
+  // Vertices that are outside by any crossing are marked before those that are inside by another.
   for (const bool takes_inside : {false, true}) {
     for (std::size_t i = 0; i < edges.size(); ++i) {
       const EdgeCrossing& edge = edges[i];
@@ -169,7 +169,7 @@ void InnerSurface::build(const MeshCrossings& found, const LoopGroups& groups) {
     InnerPart& part = parts_[crossing.piece];
     if (part.points.empty()) part.at = crossing.from, part.first_crossing = i;
     part.crossing_count = i + 1 - part.first_crossing;
-    // What another crossing ended with is there.
+    // A point in which another crossing ended is there already.
     if (crossing.from_number == points)
       ++points, part.add(crossing.from - part.at, InnerPart::kNoVertex, false);
     if (crossing.to_number == points)
@@ -178,12 +178,12 @@ void InnerSurface::build(const MeshCrossings& found, const LoopGroups& groups) {
   for (const Collected& each : collected_) {
     InnerPart& part = parts_[groups.group(each.loop)];
     part.add(placed(each.vertex) - part.at, each.vertex, false);
-    // All neighbours are there, or beyond a curve.
+    // All its neighbours are there, or beyond a curve.
     part.is_opened.back() = collected_.size() < kMostVertices;
   }
 }
 
-/// Parts may share what lies beyond them.
+/// Marks the points of a piece as its own. Parts may share vertices that lie beyond them.
 void InnerSurface::enter(std::uint32_t piece) {
   if (entered_ == piece) return;
   entered_ = piece;
@@ -193,7 +193,7 @@ void InnerSurface::enter(std::uint32_t piece) {
     if (vertex != InnerPart::kNoVertex) part_of_[vertex] = first_part_ + piece;
 }
 
-/// Adds the corners of a triangle that lie farther than a point of it.
+/// Adds the corners of a triangle that lie higher than `above` in a direction.
 void InnerSurface::add_corners(std::uint32_t piece, std::uint32_t triangle, bool is_outside,
                                const Vec3& direction, double above) {
   InnerPart& part = parts_[piece];
@@ -210,7 +210,7 @@ void InnerSurface::add_corners(std::uint32_t piece, std::uint32_t triangle, bool
   }
 }
 
-/// Adds what around a vertex lies farther.
+/// Adds the vertices around a vertex that lie farther in a direction.
 void InnerSurface::open(std::uint32_t piece, std::size_t point, const Vec3& direction) {
   const InnerPart& part = parts_[piece];
   const double above = dot(part.points[point], direction);
@@ -220,7 +220,7 @@ void InnerSurface::open(std::uint32_t piece, std::size_t point, const Vec3& dire
     add_corners(piece, triangle, is_outside, direction, above);
 }
 
-/// Where a curve is as far as anything of the part the triangles that end there go on outside.
+/// Adds the outer corners of triangles that cross where a curve is as far as anything of the part.
 void InnerSurface::open_curves(std::uint32_t piece, const Vec3& direction, double most) {
   const InnerPart& part = parts_[piece];
   ++climb_;
@@ -250,7 +250,7 @@ std::size_t InnerSurface::grow(std::uint32_t piece, const Vec3& direction) {
   constexpr std::size_t kNone = ~std::size_t{0};
   std::size_t opened = kNone;
   ++climb_;
-  // Who has to go round as much as the part is wide does not leave it that way.
+  // A body that had to go round by as much as the part is wide does not leave it that way.
   const double enough = most + 2 * lasting_radius_;
   while (most < enough && best != opened && part.vertex[best] != InnerPart::kNoVertex &&
          !part.is_opened[best]) {
@@ -275,7 +275,7 @@ void InnerSurface::note_neighbours(std::uint32_t triangle) const {
     note_rim(vertex);
 }
 
-/// What is around a vertex is looked at.
+/// Notes for PatchRim that the surroundings of a vertex are looked at.
 void InnerSurface::note_rim(std::uint32_t vertex) const {
   if (!is_rim_.empty() && is_rim_[vertex] != 0) PatchRim::meet();
 }

@@ -40,9 +40,9 @@ void LocalPart::add_vertex(std::uint32_t vertex) {
   curve_point_.push_back(0);
 }
 
-/// Adds the corners of a triangle that are inside, as far as they lie beyond a height in a
-/// direction. Whether all are inside: then whatever goes through the triangle does so between them,
-/// and lies no farther.
+/// Adds the corners of a triangle that are inside and lie beyond a height in a direction. True if
+/// all are inside: then all that goes through the triangle does so between them, and lies no
+/// farther.
 bool LocalPart::add_corners(std::uint32_t own_triangle, const Vec3& direction, double above) {
   bool is_all_inside = true;
   for (const std::uint32_t vertex : surface_->corners(own_triangle)) {
@@ -56,7 +56,7 @@ bool LocalPart::add_corners(std::uint32_t own_triangle, const Vec3& direction, d
   return is_all_inside;
 }
 
-/// Adds the ends of crossings likewise.
+/// Adds the ends of crossings that lie beyond a height in a direction.
 void LocalPart::add_ends(std::span<const std::uint32_t> crossings, const Vec3& direction,
                          double above) {
   const auto is_above = [&](const Vec3& point) { return dot(point - part_.at, direction) > above; };
@@ -69,7 +69,7 @@ void LocalPart::add_ends(std::span<const std::uint32_t> crossings, const Vec3& d
   }
 }
 
-/// Adds what lies farther inside of the triangles that meet in a point.
+/// Adds the points inside that lie farther, of the triangles that meet in a point.
 void LocalPart::go_on_inside(std::size_t point, const Vec3& direction) {
   const double above = dot(part_.points[point], direction);
   const std::uint32_t vertex = part_.vertex[point];
@@ -90,7 +90,7 @@ void LocalPart::go_on_inside(std::size_t point, const Vec3& direction) {
   }
 }
 
-/// Whether a triangle that meets a point rises beyond it, where that leads around the other mesh.
+/// True if a triangle at a point rises beyond it, where that leads around the other mesh.
 bool LocalPart::rises_outside(std::size_t point, const Vec3& direction) const {
   const double above =
       dot(part_.points[point], direction) + InnerSurface::kSameHeight * part_.radius;

@@ -1,5 +1,5 @@
-// Contacts of two meshes that go through each other: how each piece of what they have in common
-// is left.
+// Finds the contacts of two meshes that go through each other, by the ways out of each piece of
+// what they have in common.
 
 #include <graze/engine/world/contacts/contact_functions.h>
 #include <graze/engine/world/contacts/meshes/mesh_pieces.h>
@@ -15,9 +15,9 @@ namespace {
 using narrowphase::Exit;
 using narrowphase::Vec3;
 
-/// Looks for the ways out of all pieces, the shortest first, and adds contacts for each. Law 15:
-/// what no longer overlaps once A has taken all ways out so far, by the least translation that
-/// does, is no contact.
+/// Finds the ways out of all pieces, the shortest first, and adds contacts for each. By law 15 a
+/// piece that no longer overlaps once A has taken all ways out so far, by the least translation
+/// that does so, has no contact.
 class MeshExits {
  public:
   MeshExits(MeshPieces& pieces, PieceExits& exits, ContactCandidates& candidates, Work& work)
@@ -55,7 +55,7 @@ class MeshExits {
     std::uint32_t piece;
     Exit exit;
   };
-  /// Kept from one pair to the next, so that no step of a simulation allocates.
+  /// Memory that is kept from one pair to the next, so that no step of a simulation allocates.
   struct Scratch {
     Clearance clearance;
     std::vector<First> first;
@@ -67,8 +67,8 @@ class MeshExits {
     return kept;
   }
 
-  /// Whether no exit so far does the same; where another piece is left along the same direction, as
-  /// where a plank lies on two trestles, this one is a contact, too.
+  /// True if no exit so far does the same, or if another piece is left along the same direction, as
+  /// where a plank lies on two trestles: then this piece has a contact, too.
   bool is_needed(const Exit& exit) const {
     if (!s_.clearance.satisfies(exit)) return true;
     return std::any_of(s_.taken.begin(), s_.taken.end(), [&](const Taken& taken) {
@@ -78,7 +78,7 @@ class MeshExits {
 
   void take(std::uint32_t piece, const PieceExit& piece_exit) {
     const Exit& exit = piece_exit.touched.parting.exit;
-    // What lies outside makes no exit longer, but is to be cleared as well.
+    // The part outside makes no exit longer, but has to be cleared as well.
     if (!s_.clearance.satisfies(exit))
       s_.clearance.add({exit.direction, exit.depth + piece_exit.beyond});
     const bool is_listed = std::any_of(s_.taken.begin(), s_.taken.end(), [&](const Taken& taken) {
@@ -91,14 +91,14 @@ class MeshExits {
     candidates_.end_region();
   }
 
-  /// While triangles of a piece overlap in spite of the exits so far, the shortest of theirs is one
-  /// more.
+  /// Takes the shortest exit of the triangles of a piece that overlap in spite of the exits so far,
+  /// again and again, until no overlapping pair is left.
   void take_others(std::uint32_t piece) {
     const double enough = exits_.enough(piece);
     s_.overlapping.clear();
     for (const MeshCrossing& crossing : pieces_.crossings(piece))
       s_.overlapping.push_back(crossing.pair);
-    // Each exit is satisfied from then on, or ends by leaving pairs out.
+    // This ends, because each exit is satisfied from then on, or its pairs are left out.
     for (;;) {
       pieces_.remove_apart(s_.overlapping, s_.clearance.translation() * (1 / enough), work_);
       if (s_.overlapping.empty()) return;

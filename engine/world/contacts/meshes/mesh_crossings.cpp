@@ -14,8 +14,8 @@ using narrowphase::Vec3;
 /// A placed triangle, relative to the origin.
 struct Side {
   Vec3 corner[3];
-  std::uint32_t vertex[3];  // welded
-  Vec3 normal;              // as long as twice the area
+  std::uint32_t vertex[3];  ///< the welded vertices of the corners
+  Vec3 normal;              ///< a normal whose length is twice the area
 };
 
 class SideOf {
@@ -43,13 +43,14 @@ class SideOf {
 struct PlaneCrossings {
   EdgeCrossing edge[2];
   Vec3 point[2];
-  double along[2];  // the line that the planes share, ascending
+  double along[2];  ///< places along the line that the planes share, ascending
 };
 
-/// False if no corner is behind the plane, or none is not.
+/// Finds the two edges of a triangle that cross the other's plane. False if no corner is behind the
+/// plane, or if all are.
 bool cross_plane(const Side& own, const Side& other, const Vec3& line, PlaneCrossings& found) {
   double height[3];
-  // What is nearer to the plane than rounding can tell counts as in front.
+  // A corner that is nearer to the plane than rounding can tell counts as in front.
   constexpr double kOnPlane = 0x1p-44;
   const double zero =
       kOnPlane * length(other.normal) * (largest(own.corner[0]) + largest(other.corner[0]));
@@ -85,7 +86,7 @@ class Finder {
   Finder(const PlacedMeshView& a, const PlacedMeshView& b, const Vec3& origin, MeshCrossings& found)
       : side_a_(a, origin), side_b_(b, origin), found_(found) {}
 
-  /// The number of pairs that are left out.
+  /// Finds the crossings. Returns the number of pairs that are left out.
   std::size_t run() {
     found_.crossings.clear(), found_.edges_a.clear(), found_.edges_b.clear();
     std::size_t left_out = 0;
@@ -161,7 +162,7 @@ bool is_one_end(const EdgeCrossing& s, const EdgeCrossing& t) {
   return s.low == t.low && s.high == t.high && s.share == t.share;
 }
 
-/// By edge, then along it, then by crossing or loop.
+/// Sorts crossings of edges by edge, then along it, then by crossing or loop.
 void sort_edges(std::vector<EdgeCrossing>& edges) {
   const auto ends = [](const EdgeCrossing& edge) {
     return std::uint64_t{edge.low} << 32 | edge.high;
@@ -172,10 +173,10 @@ void sort_edges(std::vector<EdgeCrossing>& edges) {
   });
 }
 
-/// Numbers the loops by their first crossings. Two crossings go on in each other where the same
-/// edge goes through the same triangle. What has an end without another - an open mesh, an edge
-/// that meets an edge, which rounding tells one way here and another there - stays with its piece.
-/// Until then edges name their crossings as loops.
+/// Numbers the loops by their first crossings. Two crossings continue each other where the same
+/// edge goes through the same triangle. A curve with an end that no other crossing continues stays
+/// with its piece: it ends at the border of an open mesh, or where an edge meets an edge, which
+/// rounding may decide differently on both sides. Before this, edges name their crossings as loops.
 void find_loops(MeshCrossings& found) {
   std::vector<MeshCrossing>& all = found.crossings;
   std::vector<std::uint32_t>& parent = found.parent;
@@ -189,13 +190,13 @@ void find_loops(MeshCrossings& found) {
     sort_edges(*edges);
     for (std::size_t i = 1; i < edges->size(); ++i) {
       const EdgeCrossing &s = (*edges)[i - 1], &t = (*edges)[i];
-      // Sheets that coincide have ends in common, and are pieces of their own nevertheless.
+      // Sheets that coincide share ends, but are separate pieces all the same.
       if (!is_one_end(s, t) || all[s.loop].piece != all[t.loop].piece) continue;
       join(s.loop, t.loop);
       ++found.met_ends[s.loop], ++found.met_ends[t.loop];
     }
   }
-  // Where a chain is open its first crossing says so for all of it.
+  // If a chain is open its first crossing is marked for all of it.
   for (std::uint32_t i = 0; i < all.size(); ++i) {
     if (found.met_ends[i] != 2) found.met_ends[lowest(parent, i)] = 0;
   }
@@ -214,8 +215,7 @@ void find_loops(MeshCrossings& found) {
   }
 }
 
-/// Keeps each crossing of an edge once, although two triangles share the edge, and gives it its
-/// loop.
+/// Keeps each crossing of an edge once, although two triangles share the edge, and sets its loop.
 void remove_repeated(const std::vector<MeshCrossing>& crossings, std::vector<EdgeCrossing>& edges) {
   edges.erase(std::unique(edges.begin(), edges.end(), is_one_end), edges.end());
   for (EdgeCrossing& edge : edges)

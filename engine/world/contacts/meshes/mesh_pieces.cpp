@@ -18,7 +18,7 @@ double Outline::together(bool faces_are_a) const {
   return length(faces_are_a ? faces_a : faces_b) / around;
 }
 
-/// Of each loop or piece, as `number_of` says of a crossing.
+/// Finds the outline of each loop or piece, whose number for a crossing `number_of` returns.
 template <typename NumberOf>
 void MeshPieces::find_outlines(std::uint32_t count, NumberOf&& number_of) {
   outlines_.assign(count, {});
@@ -34,8 +34,8 @@ void MeshPieces::find_outlines(std::uint32_t count, NumberOf&& number_of) {
   }
 }
 
-/// A loop that turns against the others with which it shares triangles is where the piece has a
-/// hole: it is of one piece with the largest of them.
+/// Joins each loop that bounds a hole with the largest loop of its piece: such a loop turns against
+/// the others with which it shares triangles.
 void MeshPieces::join_holes() {
   constexpr std::uint32_t kNone = 0xffffffffu;
   find_outlines(found_.loops, [](const MeshCrossing& each) { return each.loop; });
@@ -106,7 +106,8 @@ double MeshPieces::size() {
 
 namespace {
 
-/// Mostly the plane of one has all of the other in front.
+/// True if the triangle `other` is in front of the plane of the first. Mostly this parts two
+/// triangles that are apart.
 bool is_in_front(const Vec3 (&plane)[3], const Vec3 (&other)[3]) {
   const Vec3 normal = cross(plane[1] - plane[0], plane[2] - plane[0]);
   return dot(normal, other[0] - plane[0]) > 0 && dot(normal, other[1] - plane[0]) > 0 &&

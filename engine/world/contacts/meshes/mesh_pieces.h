@@ -1,6 +1,6 @@
 #pragma once
 
-// The pieces of what two meshes have in common. Private to engine/world.
+// Finds the pieces of what two meshes have in common. Private to engine/world.
 
 #include <graze/engine/world/contacts/meshes/inner_surface.h>
 #include <graze/engine/world/contacts/meshes/mesh_crossings.h>
@@ -13,33 +13,34 @@
 
 namespace graze {
 
-/// What a closed curve encloses, as far as it is flat.
+/// The area that a closed curve encloses, as far as it is flat, and the normals along it.
 struct Outline {
-  narrowphase::Vec3 first;  ///< any of its points
+  narrowphase::Vec3 first;  ///< any point of the curve
   narrowphase::Vec3 area;
-  narrowphase::Vec3 faces_a;  ///< sums of normals by the lengths of segments
+  narrowphase::Vec3 faces_a;  ///< the sum of A's normals, weighted by the lengths of segments;
+                              ///< faces_b is that of B's
   narrowphase::Vec3 faces_b;
   double around = 0;
 
-  /// From A to B: of the area, or where that is too small the mean of the faces'; zero where
-  /// nothing tells.
+  /// Returns the normal from A to B: that of the area, or the mean of the faces' normals if the
+  /// area is too small; zero where nothing tells it.
   narrowphase::Vec3 normal() const;
-  /// How much the faces of one mesh look to one side: 1 if all do, 0 if they look to all sides
-  /// alike, as those of a thread or of a peg.
+  /// Returns how much the faces of one mesh look to one side: 1 if all do, 0 if they look to all
+  /// sides alike, as those of a thread or of a peg.
   double together(bool faces_are_a) const;
 };
 
-/// Crossings that bound one connected piece, and what of either mesh lies in it. Memory is kept
-/// from one pair to the next.
+/// The pieces: for each the crossings that bound it, and the parts of either mesh that lie in it.
+/// Memory is kept from one pair to the next.
 class MeshPieces {
  public:
   enum class Found {
     Nothing,  ///< the two are apart
-    Touches,  ///< in planes, along lines or in points: crossings do not tell
+    Touches,  ///< the two touch in planes, along lines or in points: crossings do not tell
     Pieces,
   };
 
-  /// The meshes must outlive it. Points are relative to the origin.
+  /// Finds the pieces of two meshes, which must outlive this. Points are relative to the origin.
   Found find(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b,
              const narrowphase::Vec3& origin, Work& work);
 
@@ -53,15 +54,15 @@ class MeshPieces {
   const Pose& pose_a() const { return mesh_a_->pose; }
   const Pose& pose_b() const { return mesh_b_->pose; }
 
-  /// By how much A's box is larger than B's, each in its own frame, or of equal ones A has more
-  /// triangles; negative if B's is.
+  /// Returns by how much A's box is larger than B's, each in its own frame, or for equal boxes how
+  /// many more triangles A has; negative if B is the larger one.
   double larger() const;
 
-  /// What lengths are measured by: how far the pieces reach from the origin.
+  /// Returns the scale of lengths: how far the pieces reach from the origin.
   double size();
 
-  /// Removes the pairs whose triangles are apart once A has moved. Pairs that follow each other
-  /// best have the same triangle of A.
+  /// Removes the pairs whose triangles are apart once A has moved. It is fastest if successive
+  /// pairs have the same triangle of A.
   void remove_apart(std::vector<TrianglePair>& pairs, const narrowphase::Vec3& translation,
                     Work& work) const;
 
@@ -75,9 +76,9 @@ class MeshPieces {
   narrowphase::Vec3 origin_;
   MeshCrossings found_;
   InnerSurface inner_a_, inner_b_;
-  std::vector<Outline> outlines_;  ///< of loops, then of pieces
+  std::vector<Outline> outlines_;  ///< the outlines of loops, then of pieces
   std::vector<std::uint32_t> largest_loop_;
-  std::vector<std::size_t> ends_;  ///< where the crossings of each piece end
+  std::vector<std::size_t> ends_;  ///< the end of the crossings of each piece
   LoopGroups groups_;
   PointNumbers numbers_;
 };

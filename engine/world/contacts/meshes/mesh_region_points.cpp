@@ -17,17 +17,17 @@ using narrowphase::Vec3;
 // A face that is parallel to the way out, to about 10 degrees, bounds no depth.
 constexpr double kFacing = 0.17;
 
-// Two faces lie along each other within 2 degrees. Which of the two is left sooner is then nearly
-// rounding, and points of either count in both cases.
+// Two faces lie along each other within 2 degrees, of which this is the cosine. Which of the two is
+// left first then depends mostly on rounding, and points of either count in both cases.
 constexpr double kAlong = 0.9994;
 
-// A face that is this share as deep as the region lies in it as a whole.
+// A face lies in the region as a whole if it is at least this share as deep.
 constexpr double kDeepFace = 0.5;
 
-// More faces than these go through others along their rim: they are those of a round surface.
+// More faces than this that go through others along their rim belong to a round surface.
 constexpr int kMostRimFaces = 32;
 
-// So many faces are looked at for the depths of points.
+// At most this many faces are looked at for the depths of points.
 constexpr std::size_t kMostPlanes = 16;
 
 // Lengths below this share of the region's size do not matter.
@@ -37,21 +37,21 @@ class RegionPoints {
   struct Plane {
     Vec3 normal;
     Vec3 point;
-    double facing;  ///< cosine of its angle to the way out
+    double facing;  ///< the cosine of its angle to the way out
   };
-  /// A point of a curve in which a face that lies along those of the other mesh leaves them.
+  /// A point of a curve in which a face that lies along faces of the other mesh leaves them.
   struct Rim {
     Vec3 point;
-    Vec3 normal;  ///< of the face whose point it is
+    Vec3 normal;  ///< the normal of the face whose point it is
     bool is_of_a;
   };
-  /// Kept from one region to the next, so that no step of a simulation allocates.
+  /// Memory that is kept from one region to the next, so that no step of a simulation allocates.
   struct Scratch {
     std::vector<Plane> planes;
     std::vector<MetPoints> met;
     std::vector<Rim> rims;
     std::vector<std::uint8_t> is_looked_at;
-    std::vector<std::uint32_t> met_at;  ///< of each end of crossings, its place in `met`
+    std::vector<std::uint32_t> met_at;  ///< the place in `met` of each end of crossings
   };
   static constexpr std::uint32_t kNotMet = 0xffffffffu;
   static Scratch& scratch() {
@@ -97,7 +97,7 @@ class RegionPoints {
       add_over_faces(is_of_a, last);
   }
 
-  /// Points of the one mesh over the faces of the other that count.
+  /// Adds points of one mesh over the faces of the other that count.
   void add_over_faces(bool faces_are_a, std::uint32_t last_number) {
     find_planes(faces_are_a);
     if (planes_.empty()) return;
@@ -107,7 +107,7 @@ class RegionPoints {
       if (const std::optional<MetPoints> met = met_over(inner.points[i] + inner.at, faces_are_a))
         met_.push_back(*met);
     }
-    // Most ends are those of two crossings.
+    // Most ends are shared by two crossings.
     std::vector<std::uint8_t>& is_looked_at = scratch().is_looked_at;
     is_looked_at.assign(last_number - first_number_ + 1, 0);
     for (const MeshCrossing& crossing : region_.crossings) {
@@ -125,8 +125,8 @@ class RegionPoints {
     }
   }
 
-  /// An end of a crossing is on both surfaces, and may lie over faces of both: it counts once, as
-  /// deep as it is over either.
+  /// Adds an end of a crossing. It is on both surfaces, and may lie over faces of both: it counts
+  /// once, with its greater depth.
   void add_end(const Vec3& point, std::uint32_t number, bool faces_are_a) {
     const std::optional<MetPoints> met = met_over(point, faces_are_a);
     if (!met) return;
@@ -139,10 +139,10 @@ class RegionPoints {
     }
   }
 
-  /// Where a flat face leans, what it has in common with the other ends in a line along which it is
-  /// 0 deep: a corner that is lifted off gives its place to the point next to it, and not to
-  /// whatever edge of a triangle is near. Of a round surface the rim says nothing: its facets there
-  /// are far less deep than others.
+  /// Adds points of the rim. Where a flat face leans, the region ends in a line along which it is 0
+  /// deep: a corner that is lifted off gives its place to the point next to it, and not to just any
+  /// edge of a triangle nearby. The rim of a round surface does not count: its facets there are far
+  /// less deep than others.
   void add_rims() {
     if (region_.left.parting.feature != LeftFeature::Face || met_.empty()) return;
     const double deep_enough = kDeepFace * met_[deepest_of(met_, size_)].depth;
@@ -173,8 +173,8 @@ class RegionPoints {
     return std::abs(dot(point - rim.point, rim.normal)) <= kNegligible * size_;
   }
 
-  /// The faces of one mesh that points of the other are deep in: those that lie along the face that
-  /// is left, or where an edge is left those nearly at right angles to the way out.
+  /// Finds the faces of one mesh behind which points of the other have depths: those that lie along
+  /// the face that is left, or if an edge is left those nearly at right angles to the way out.
   void find_planes(bool faces_are_a) {
     planes_.clear();
     planes_are_a_ = faces_are_a;
@@ -197,7 +197,7 @@ class RegionPoints {
     }
   }
 
-  /// How deep a point is behind the face that is nearest to it as seen along the way out.
+  /// Returns how deep a point is behind the face that is nearest to it as seen along the way out.
   double depth_at(const Vec3& point) const {
     double least = std::numeric_limits<double>::infinity(), depth = 0;
     for (const Plane& plane : planes_) {
@@ -213,18 +213,20 @@ class RegionPoints {
   std::optional<MetPoints> met_over(const Vec3& point, bool faces_are_a) const {
     const double sign = faces_are_a ? -1 : 1;
     const double depth = depth_at(point);
-    // Where the surfaces go through each other they say nothing that deeper points do not.
+    // Points where the surfaces go through each other add nothing to deeper points.
     if (depth < kNegligible * size_ || depth > depth_ + kSameMetDepth * size_) return std::nullopt;
     const Vec3 met = point + exit_ * (sign * depth);
     return faces_are_a ? MetPoints{met, point, depth} : MetPoints{point, met, depth};
   }
 
-  /// Where the body that leaves is deepest beyond the feature that it leaves last.
+  /// Adds the point at which the body that leaves is deepest beyond the feature that it leaves
+  /// last.
   void add_deepest() {
     const InnerPart& inner = region_.is_of_a ? *region_.inner_b : *region_.inner_a;
     const Vec3 out = region_.is_of_a ? exit_ : -exit_;
     const Segment deepest = farthest_of(inner, out);
-    // Seen from the feature, where it is once the two have parted.
+    // These are the places of the deepest points, relative to the feature, once the two have
+    // parted.
     const Vec3 from = deepest.from - out * depth_, to = deepest.to - out * depth_;
     const LocalParting& left = region_.left.parting;
     const Vec3* corner = region_.left.triangle.corner;
@@ -236,7 +238,7 @@ class RegionPoints {
     met_.push_back({region_.is_of_a ? met : sunk, region_.is_of_a ? sunk : met, depth_});
   }
 
-  /// The farthest points of a part: one, or the ends of an edge.
+  /// The farthest points of a part: one point, or the ends of an edge.
   struct Segment {
     Vec3 from;
     Vec3 to;
@@ -246,8 +248,8 @@ class RegionPoints {
     for (const Vec3& point : inner.points)
       most = std::max(most, dot(point, out));
     const double least = most - kNegligible * size_;
-    // What is no deeper than rounding is all of a flush face, beyond the other mesh as well: points
-    // of the curves alone are on both surfaces.
+    // If the depth is no more than rounding, all points of a flush face are as deep, even beyond
+    // the other mesh: only points of the curves are on both surfaces.
     const auto is_on_curve = [&](std::size_t i) {
       return inner.vertex[i] == InnerPart::kNoVertex && dot(inner.points[i], out) >= least;
     };
@@ -265,7 +267,8 @@ class RegionPoints {
     return {inner.points[first] + inner.at, inner.points[last] + inner.at};
   }
 
-  /// Points that two crossings share, or that are on both surfaces, are found twice.
+  /// Removes doubles: points that two crossings share, or that are on both surfaces, are found
+  /// twice.
   void drop_doubles() {
     // Sorted by a coordinate, doubles are near each other.
     std::sort(met_.begin(), met_.end(), [](const MetPoints& s, const MetPoints& t) {
@@ -288,10 +291,10 @@ class RegionPoints {
 
   const MeshRegion& region_;
   ContactCandidates& candidates_;
-  Vec3 exit_;  ///< in which A leaves
+  Vec3 exit_;  ///< the direction in which A leaves
   double depth_;
   double size_;
-  std::uint32_t first_number_ = 0;  ///< of the ends of crossings
+  std::uint32_t first_number_ = 0;  ///< the first number of the ends of crossings
   bool is_one_plane_ = true;
   bool planes_are_a_ = false;
   std::vector<Plane>& planes_;

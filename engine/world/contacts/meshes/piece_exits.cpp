@@ -12,18 +12,18 @@ using narrowphase::Vec3;
 
 namespace {
 
-// So many crossings are few: each of their triangles is looked at.
+// Up to this many crossings are few: each of their triangles is looked at.
 constexpr std::size_t kFew = 24;
 
 // Two edges that dip into each other, of two faces each, cross four times, or a little more often
 // where faces are divided.
 constexpr std::size_t kOfTwoEdges = 8;
 
-/// How much farther a part extends outside than inside; nothing if that is too much: then what it
-/// leaves last in a direction is outside, and the exit is one of another piece, or leads round a
-/// body that goes on. Law 15's depths are to a twentieth: a shallow exit that what is outside makes
-/// longer by less is this piece's. Where an edge leaves an edge both of its ends are equally far,
-/// but for what the search for the exit lacks.
+/// Returns how much farther a part extends outside than inside, or nothing if that is too much:
+/// then the point that leaves last in a direction is outside, and the exit belongs to another
+/// piece, or leads round a body that goes on. Law 15's depths are to a twentieth: a shallow exit
+/// that the outside makes longer by less than that is this piece's. Where an edge leaves an edge
+/// both of its ends are equally far, but for the error of the search for the exit.
 std::optional<double> outer_extent(const InnerPart& part, const Vec3& direction, double depth) {
   constexpr double kSame = 1e-6, kShallow = 1e-4;
   const std::size_t farthest = part.farthest(direction);
@@ -60,18 +60,18 @@ void PieceExits::enter(std::uint32_t piece) {
   looked_.clear(), order_.clear();
   best_ = {}, best_of_any_ = {};
   const std::span<const MeshCrossing> crossings = pieces_->crossings(piece);
-  // Where the faces of one mesh look to one side, that is the way out of all of the piece.
+  // If the faces of one mesh look to one side, that is the way out of the whole piece.
   const Outline& outline = pieces_->outline(piece);
-  // Two faces at right angles, as where a box dips an edge in, are 0.7 together.
+  // For two faces at right angles, as where a box dips an edge in, together() is 0.7.
   const double most = crossings.size() > kFew ? 0.8 : 0.7;
   is_wrapped_ =
       !is_left_whole_[piece] && outline.together(true) < most && outline.together(false) < most;
   if (is_wrapped_) facets_.start(crossings, surface(true), surface(false));
 }
 
-/// What the length of a face's exit counts for: less if it is the larger mesh's, or of equal ones
-/// that from which the normal leads upward, wherever that is: which of the two is called A may
-/// change with each step.
+/// Returns the share of its length for which a face's exit counts. It is less for the larger mesh,
+/// or for equal ones for the mesh from which the normal leads upward, in whichever direction that
+/// is: which of the two is called A may change with each step.
 double PieceExits::face_share(const Vec3& from_a_to_b, bool is_of_a) const {
   double for_a = larger_ != 0 ? larger_ : dot(from_a_to_b, {1, 2, 4});
   if (for_a == 0) for_a = from_a_to_b.x != 0 ? from_a_to_b.x : from_a_to_b.y;
@@ -85,13 +85,13 @@ double PieceExits::rank_of(const PieceExit& piece_exit) const {
   return parting.exit.depth * face_share(-parting.exit.direction, piece_exit.is_of_a);
 }
 
-/// Longer than this no exit off a triangle ranks before another.
+/// Returns the length beyond which no exit off a triangle ranks before another.
 double PieceExits::limit_for(const Looked& looked, const PieceExit& best) const {
   const bool is_of_a = looked.exit.is_of_a;
   return rank_of(best) / face_share(is_of_a ? looked.normal : -looked.normal, is_of_a);
 }
 
-/// Makes the local part of a triangle of a mesh that wraps around; false if it has none.
+/// Makes the local part of a triangle of a piece that wraps around; false if it has none.
 bool PieceExits::start_local(std::uint32_t triangle, bool is_of_a) {
   if (!is_wrapped_ || facets_.index().on_triangle(triangle, is_of_a).empty()) return false;
   local_.start(surface(!is_of_a), facets_.index(), piece_, triangle,
@@ -99,7 +99,8 @@ bool PieceExits::start_local(std::uint32_t triangle, bool is_of_a) {
   return true;
 }
 
-/// Triangle and side, with room for a number. A mesh has fewer than 2^31 triangles.
+/// Returns a key of a triangle and its side, with room for a number. A mesh has fewer than 2^31
+/// triangles.
 static std::uint64_t key_of(std::uint32_t triangle, bool is_of_a) {
   return (std::uint64_t{triangle} << 1 | is_of_a) << 32;
 }
@@ -131,7 +132,7 @@ PieceExits::Looked& PieceExits::look_at(std::uint32_t triangle, bool is_of_a) {
   return looked;
 }
 
-/// Finds out how a triangle is left if that may be by less than the limit.
+/// Computes the exit off a triangle if that may be shorter than the limit.
 void PieceExits::find_below(double limit, Looked& looked) {
   if (looked.is_known || looked.at_least >= limit) return;
   looked.is_close = false;
@@ -140,8 +141,8 @@ void PieceExits::find_below(double limit, Looked& looked) {
   if (!looked.is_close || !piece_exit.is_found || piece_exit.is_local ||
       piece_exit.touched.parting.feature != LeftFeature::Face)
     return;
-  // The face's exit is another piece's: edges that are hardly shorter have their say. Where none of
-  // them lost by the share alone, what is left would be the same.
+  // The face's exit belongs to another piece: now edges that are hardly shorter count. If none of
+  // them lost only because of the share, the result would be the same.
   looked.is_known = looked.exit.is_found = false;
   find_below(limit, {}, looked);
 }
@@ -166,10 +167,11 @@ void PieceExits::find_below(double limit, const PartingSettings& settings, Looke
   leaving.shrink(piece_);
 }
 
-/// What is about one triangle stands for all of the piece if nothing of that is deeper, and if the
-/// surface is flat where it faces that direction at all: a facet of a round one does not.
+/// Makes the exit of the part around one triangle that of the whole piece, if nothing of the piece
+/// is deeper, and if all of the surface that faces this way is flat: a facet of a round surface
+/// does not stand for the piece.
 void PieceExits::widen(PieceExit& piece_exit, const Vec3& normal) {
-  constexpr double kAsDeep = 0.05;     // law 15's depths are to a twentieth
+  constexpr double kAsDeep = 0.05;     // as law 15's depths are to a twentieth
   constexpr double kFacesSoToo = 0.9;  // a cosine
   Exit& exit = piece_exit.touched.parting.exit;
   const Vec3 out = piece_exit.is_of_a ? exit.direction : -exit.direction;
@@ -186,8 +188,8 @@ void PieceExits::widen(PieceExit& piece_exit, const Vec3& normal) {
   piece_exit.is_partial = false;
 }
 
-/// The part grows in the direction of the exit that was found until it reaches no farther: then
-/// that is one for all that hangs together with the part.
+/// Finds the exit of a part. The part grows in the direction of the exit that was found until it
+/// reaches no farther: then the exit is one for all that is connected with the part.
 template <typename Part>
 void PieceExits::find_with(Part&& leaving, double limit, const PartingSettings& settings,
                            Looked& looked) {
@@ -208,7 +210,7 @@ void PieceExits::find_with(Part&& leaving, double limit, const PartingSettings& 
     }
     parting = *found;
     looked.is_close |= parting.is_close;
-    if (parting.feature == LeftFeature::Face) break;  // along the normal nothing is farther
+    if (parting.feature == LeftFeature::Face) break;  // nothing is farther along the normal
     leaving.grow(-parting.exit.direction);
   }
   looked.is_known = true;
@@ -218,7 +220,7 @@ void PieceExits::find_with(Part&& leaving, double limit, const PartingSettings& 
   piece_exit.is_found = true;
   const std::optional<double> outer = outer_extent(part, -exit.direction, exit.depth);
   piece_exit.is_local = outer.has_value();
-  // What is outside is beside the triangle's mesh, and need not be lifted out.
+  // Points outside are beside the triangle's mesh, and need not be lifted out.
   piece_exit.beyond = piece_exit.is_partial ? 0 : std::min(outer.value_or(0), exit.depth);
   exit.depth -= piece_exit.beyond;
   if (piece_exit.is_of_a) exit.direction = -exit.direction;
@@ -239,8 +241,8 @@ PieceExit PieceExits::shortest(std::uint32_t piece) {
   }
   descend(piece, -pieces_->outline(piece).normal());
   if (crossings.size() > kFew) {
-    // The other part may grow behind a face that seemed to be the best. So the next best is looked
-    // at, as far as it seems shorter than the best so far.
+    // The other part may grow behind a face that seemed to be the best. So the next best face is
+    // looked at, as long as it seems shorter than the best so far.
     constexpr int kMostFaces = 8;
     int faces = 0;
     while ((faces < kMostFaces || !best_.is_found) && look_at_best_face(piece))
@@ -250,7 +252,8 @@ PieceExit PieceExits::shortest(std::uint32_t piece) {
   return best_.is_found ? best_ : best_of_any_;
 }
 
-/// From a direction on, or from the best so far if it is zero.
+/// Looks for shorter exits, beginning with a direction, or with the best exit so far if the
+/// direction is zero.
 void PieceExits::descend(std::uint32_t piece, Vec3 direction) {
   constexpr int kMostSteps = 8;
   for (int step = 0; step < kMostSteps; ++step) {
@@ -264,7 +267,7 @@ void PieceExits::descend(std::uint32_t piece, Vec3 direction) {
   }
 }
 
-/// Looks at the triangles about the point of a mesh that is farthest in a direction.
+/// Looks at the triangles around the point of a mesh that is farthest in a direction.
 void PieceExits::look_about(std::uint32_t piece, const Vec3& direction, bool is_of_a) {
   InnerSurface& own = surface(is_of_a);
   const std::size_t at = own.grow(piece, direction);
@@ -278,8 +281,8 @@ void PieceExits::look_about(std::uint32_t piece, const Vec3& direction, bool is_
     look_at(triangle, is_of_a);
 }
 
-/// Of the triangles that cross and have not been looked at, the one that seems to be left soonest
-/// along its own normal. False if none seems to be left sooner than by the best exit so far.
+/// Looks at the triangle with the shortest apparent way along its own normal, among those that
+/// cross and have not been looked at. False if no way seems shorter than the best exit so far.
 bool PieceExits::look_at_best_face(std::uint32_t piece) {
   double least = rank_of(best_);
   bool is_found = false;
@@ -290,7 +293,7 @@ bool PieceExits::look_at_best_face(std::uint32_t piece) {
                          const Vec3& point) {
     const InnerPart& other = surface(!is_of_a).part(piece);
     const double height = dot(normal, point - other.at);
-    // What showed that the last face is worse mostly does so for this one.
+    // The point that showed that the last face is worse mostly does so for this one.
     std::size_t& worst = is_of_a ? worst_b : worst_a;
     const double share = face_share(is_of_a ? normal : -normal, is_of_a);
     if ((height - dot(normal, other.points[worst])) * share >= least) return;
@@ -328,12 +331,12 @@ PieceExit PieceExits::shortest_of(std::uint32_t piece, std::span<const TriangleP
   return best;
 }
 
-/// The shortest exit of a facet that is still met, in the order of their bounds. A pair is parted,
-/// too, where a clearance satisfies the exit of one of its triangles but for a twentieth (law 15):
-/// facets of a round surface differ by less.
+/// Returns the shortest exit of a facet that is still met. Facets are looked at in the order of
+/// their bounds. A pair is also parted if a clearance satisfies the exit of one of its triangles
+/// but for a twentieth (law 15): facets of a round surface differ by less.
 PieceExit PieceExits::shortest_facet(const Clearance* clearance) {
   PieceExit best;
-  double limit = std::numeric_limits<double>::infinity();  // for a bound
+  double limit = std::numeric_limits<double>::infinity();  // the limit for bounds
   const std::span<const PieceFacets::Facet> facets = facets_.facets();
   for (std::size_t n = 0; n < facets.size() && facets[n].bound < limit; ++n) {
     if (facets[n].pairs_left == 0) continue;

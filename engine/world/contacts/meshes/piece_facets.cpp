@@ -24,7 +24,8 @@ void PieceFacets::start(std::span<const MeshCrossing> crossings, const InnerSurf
     set_left(i, true);
 }
 
-/// Each with the depth of what its partners have inside: their ends of crossings and corners.
+/// Finds the facets, each with the depth of the inner points of its partners: their ends of
+/// crossings and corners.
 void PieceFacets::find_facets(const InnerSurface& other, bool of_a) {
   const std::span<const MeshCrossing> crossings = index_.crossings();
   facet_of_[of_a].assign(crossings.size(), 0);

@@ -1,6 +1,6 @@
 #pragma once
 
-// The triangles that cross in a piece that wraps around, by how deep they are met. Private to
+// Orders the triangles that cross in a piece that wraps around by how deep they are met. Private to
 // engine/world.
 
 #include <graze/engine/world/contacts/meshes/inner_surface.h>
@@ -12,27 +12,28 @@
 
 namespace graze {
 
-/// Memory is kept from one piece to the next.
+/// The facets of a piece. Memory is kept from one piece to the next.
 class PieceFacets {
  public:
   struct Facet {
-    double bound;  ///< how deep what goes through the triangle is behind its plane at least
+    double bound;  ///< a lower bound of how deep the other surface is behind the triangle's plane
     std::uint32_t triangle;
     bool is_of_a;
-    std::uint32_t pairs_left = 0;  ///< crossings of it that are still to be parted
+    std::uint32_t pairs_left = 0;  ///< the number of its crossings that are still to be parted
   };
 
-  /// The crossings and both surfaces must outlive it. All crossings are to be parted.
+  /// Begins with a piece, all of whose crossings are to be parted. The crossings and both surfaces
+  /// must outlive it.
   void start(std::span<const MeshCrossing> crossings, const InnerSurface& surface_a,
              const InnerSurface& surface_b);
 
   const PieceIndex& index() const { return index_; }
-  /// Ascending by bound.
+  /// Returns the facets, ascending by bound.
   std::span<const Facet> facets() const { return facets_; }
 
-  /// Only these are to be parted: some of the crossings, in their order.
+  /// Leaves only these pairs to be parted: some of the crossings, in their order.
   void leave(std::span<const TrianglePair> pairs);
-  /// Those of a facet are.
+  /// Marks the crossings of a facet as parted.
   void part(std::size_t facet);
 
  private:
@@ -42,9 +43,10 @@ class PieceFacets {
 
   PieceIndex index_;
   std::vector<Facet> facets_;
-  std::vector<std::uint32_t> facet_of_[2];  ///< of each crossing, its triangles' facets
-  std::vector<std::uint8_t> is_left_;       ///< of each crossing
-  std::vector<double> lowest_;              ///< of a triangle's corners and curves, by crossings
+  std::vector<std::uint32_t> facet_of_[2];  ///< the facets of the triangles of each crossing
+  std::vector<std::uint8_t> is_left_;       ///< whether each crossing is still to be parted
+  std::vector<double> lowest_;              ///< the lowest height of a triangle's corners and
+                                            ///< curves, by crossings
 };
 
 }  // namespace graze

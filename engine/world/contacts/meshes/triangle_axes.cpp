@@ -8,11 +8,12 @@ using narrowphase::Vec3;
 
 namespace {
 
-// Of the largest coordinate: more than the slack of any search, 2^-46 of the pair's scale, which is
-// no more than 12 times that coordinate.
+// A share of the largest coordinate that is more than the slack of any search, 2^-46 of the pair's
+// scale, which is at most 12 times that coordinate.
 constexpr double kMargin = 0x1p-38;
 
-// Edges so nearly parallel that their cross product is no direction to speak of.
+// Edges are so nearly parallel below this sine that their cross product has no meaningful
+// direction.
 constexpr double kParallelSine = 1e-6;
 
 struct Range {

@@ -25,7 +25,7 @@ using narrowphase::Vec3;
 
 namespace {
 
-// Lengths below this share of the body's size or of the scale are none.
+// Lengths below this share of the body's size or of the scale count as 0.
 constexpr double kNegligible = 1e-9;
 
 void refuse(const Mesh& mesh, const TriangleEdge& edge, const std::string& why) {
@@ -49,7 +49,7 @@ void check_sides(const Shape* shape, const MeshSides& sides, const char* what) {
   }
   if (sides.kind() == Sides::Surface) return;
   if (shape != nullptr && shape->kind() == ShapeKind::HeightField) {
-    // Its triangles go on from each other at each edge.
+    // All triangles of a height field have their fronts on one side.
     if (sides.kind() == Sides::OneSided) return;
     throw MeshError(begin + "a height field has a border, and a solid has none");
   }
@@ -79,7 +79,7 @@ bool Enclosure::holds() const {
   return false;
 }
 
-/// The surfaces share no point: of each connected part one point tells.
+/// The surfaces share no point, so that one point of each connected part decides.
 bool Enclosure::is_inside() const {
   if (const Mesh* body = body_.shape.as<Mesh>()) {
     const std::span<const std::uint32_t> of_parts = body->component_vertices();
@@ -92,7 +92,7 @@ bool Enclosure::is_inside() const {
   return contains(mesh_, to_eigen(support(core, {0, 0, 1}) + to_vec3(origin)), &work_);
 }
 
-/// By the sum of the normals about the point of the mesh that is nearest.
+/// The sum of the normals around the nearest point of the mesh decides.
 bool Enclosure::is_behind() const {
   const ShapeDistance nearest = distance(body_, {mesh_.mesh, mesh_.pose}, &work_);
   if (nearest.distance > sides_.thickness()) return false;
@@ -122,7 +122,7 @@ Core Enclosure::core(const Eigen::Vector3d& origin, std::vector<Vec3>& points) c
   return core;
 }
 
-/// The ways out through triangles.
+/// Finds the exits through triangles.
 class Enclosure::Exits {
  public:
   Exits(const Core& core, const PlacedMeshView& mesh, const Eigen::Vector3d& origin)
@@ -131,8 +131,8 @@ class Enclosure::Exits {
         partings_(core, features_),
         allowance_(kNegligible * (core.bounding_radius + core.radius)) {}
 
-  /// The exit through the triangle, if it leads out there: past a face where the body's last point
-  /// leaves the face or a flat one next to it.
+  /// Returns the exit through the triangle, if it leads out there: past a face if the body's last
+  /// point leaves through the face or a flat one next to it.
   std::optional<narrowphase::Exit> through(std::uint32_t index, const Core& triangle) const {
     if (FacingFeatures::is_sliver(triangle)) return std::nullopt;
     const LocalParting parting = partings_.of(index, triangle);
@@ -146,7 +146,7 @@ class Enclosure::Exits {
     return exit;
   }
 
-  /// Whether the triangle, which is no sliver, is left by the same exit.
+  /// True if the triangle, which is no sliver, is left by the same exit.
   bool leads(std::uint32_t index, const Core& triangle, const narrowphase::Exit& sought) const {
     const narrowphase::Exit exit = partings_.of(index, triangle).exit;
     return is_one_direction(exit.direction, sought.direction) &&
@@ -169,7 +169,7 @@ void Enclosure::add(ContactCandidates& candidates) const {
   narrowphase::Exit best{{0, 0, 1}, std::numeric_limits<double>::infinity()};
   std::uint32_t nearest = 0, leading = 0;
   double nearest_distance = std::numeric_limits<double>::infinity();
-  double counted = nearest_distance;  // as how long the best exit counts
+  double counted = nearest_distance;  // the length that counts for the best exit
   const auto limit = [&] {
     return sides_.kind() == Sides::OneSided ? std::min(counted, sides_.thickness()) : counted;
   };
@@ -181,8 +181,8 @@ void Enclosure::add(ContactCandidates& candidates) const {
     if (distance < nearest_distance || is_tie) nearest_distance = distance, nearest = index;
     const std::optional<narrowphase::Exit> exit = exits.through(index, triangle);
     if (!exit) return bvh::Walk::Continue;
-    // Where it leads past a border an exit may be shorter than the gap to its triangle: it counts
-    // as long as that, or which exit is the first to end the walk would depend on the tree.
+    // An exit that leads past a border may be shorter than the gap to its triangle. It then counts
+    // as long as the gap, or the tree would decide which exit ends the walk first.
     narrowphase::Exit bounded = *exit;
     if (bounded.depth < distance)
       bounded.depth = std::max(bounded.depth, gap_of_sets(core, triangle).distance);
@@ -201,7 +201,7 @@ void Enclosure::add(ContactCandidates& candidates) const {
                               if (exits.leads(index, triangle, best)) found.offer(index, triangle);
                               return bvh::Walk::Continue;
                             });
-    // Where the exit leads past a border it may be shorter than the gap to the triangle.
+    // An exit that leads past a border may be shorter than the gap to its triangle.
     if (!found.has_touched()) found.offer(leading, descent.triangle(leading));
   } else {
     found.offer(nearest, descent.triangle(nearest));

@@ -1,6 +1,6 @@
 #pragma once
 
-// What is behind the surface of a mesh without touching it. Private to engine/world.
+// Finds bodies that are behind the surface of a mesh without touching it. Private to engine/world.
 
 #include <graze/engine/mesh/placed_mesh.h>
 #include <graze/engine/work.h>
@@ -14,24 +14,25 @@
 
 namespace graze {
 
-/// Throws InputError for sides of what is no mesh or a thickness that is none, and MeshError, with
-/// the edge, where the mesh does not tell its sides apart. what() begins with `what`.
+/// Throws InputError for sides of a shape that is no mesh or for an invalid thickness, and
+/// MeshError, with the edge, if the mesh does not tell its sides apart. what() begins with `what`.
 void check_sides(const Shape* shape, const MeshSides& sides, const char* what);
 
-/// A body beside a mesh whose surface it does not touch. Convex bodies leave as they are; of a mesh
-/// the hull of its vertices does.
+/// A body beside a mesh whose surface it does not touch. A body that is a mesh leaves as the convex
+/// hull of its vertices.
 class Enclosure {
  public:
   Enclosure(const PlacedShapeView& body, const PlacedShapeView& mesh, const MeshSides& sides,
             Work& work)
       : body_(body), mesh_{*mesh.shape.as<Mesh>(), mesh.pose}, sides_(sides), work_(work) {}
 
-  /// Whether the body, or a part of it, is inside the solid, or behind the surface by no more than
+  /// True if the body, or a part of it, is inside the solid, or behind the surface by no more than
   /// its thickness.
   bool holds() const;
 
-  /// If so, the contacts of the body and the mesh: where it leaves soonest through a triangle that
-  /// it then is before. Looks at triangles nearer ones first, and no farther than the way is long.
+  /// Adds the contacts of the body and the mesh, if holds() is true: along the shortest way out
+  /// through a triangle that the body then lies before. Looks at nearer triangles first, and no
+  /// farther than that way is long.
   void add(ContactCandidates& candidates) const;
 
  private:
