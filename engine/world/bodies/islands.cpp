@@ -37,8 +37,8 @@ void Islands::add(std::uint32_t body) {
 }
 
 void Islands::remove(std::uint32_t body) {
-  while (nodes_[body].touches != kNone)
-    disconnect(body, halves_[nodes_[body].touches].other);
+  while (nodes_[body].first_edge != kNone)
+    disconnect(body, halves_[nodes_[body].first_edge].other);
   close_island(nodes_[body].island);
   nodes_[body].island = kNone;
 }
@@ -48,7 +48,7 @@ void Islands::remove(std::uint32_t body) {
 std::uint32_t Islands::find(std::uint32_t a, std::uint32_t b) const {
   const bool is_of_a = nodes_[a].degree <= nodes_[b].degree;
   const std::uint32_t other = is_of_a ? b : a;
-  for (std::uint32_t half = nodes_[is_of_a ? a : b].touches; half != kNone;
+  for (std::uint32_t half = nodes_[is_of_a ? a : b].first_edge; half != kNone;
        half = halves_[half].next) {
     if (halves_[half].other == other) return is_of_a ? half : half ^ 1;
   }
@@ -57,16 +57,16 @@ std::uint32_t Islands::find(std::uint32_t a, std::uint32_t b) const {
 
 void Islands::link(std::uint32_t half, std::uint32_t body, std::uint32_t other) {
   Node& node = nodes_[body];
-  halves_[half] = {other, node.touches, kNone};
-  if (node.touches != kNone) halves_[node.touches].previous = half;
-  node.touches = half;
+  halves_[half] = {other, node.first_edge, kNone};
+  if (node.first_edge != kNone) halves_[node.first_edge].previous = half;
+  node.first_edge = half;
   ++node.degree;
 }
 
 void Islands::unlink(std::uint32_t half, std::uint32_t body) {
   const auto [other, next, previous] = halves_[half];
   if (next != kNone) halves_[next].previous = previous;
-  (previous != kNone ? halves_[previous].next : nodes_[body].touches) = next;
+  (previous != kNone ? halves_[previous].next : nodes_[body].first_edge) = next;
   --nodes_[body].degree;
 }
 
@@ -121,7 +121,7 @@ void Islands::see(Side& side, std::uint32_t body) {
 /// Sees the bodies that touch the next body of a side. True if the other side has seen one of them.
 bool Islands::meets_other(Side& side) {
   const std::uint32_t body = queued(side, side.asked++);
-  for (std::uint32_t half = nodes_[body].touches; half != kNone; half = halves_[half].next) {
+  for (std::uint32_t half = nodes_[body].first_edge; half != kNone; half = halves_[half].next) {
     ++work_.steps;
     const std::uint32_t other = halves_[half].other;
     if (nodes_[other].stamp == (side.stamp ^ 1)) return true;

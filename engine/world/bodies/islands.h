@@ -49,7 +49,7 @@ class Islands {
   static constexpr std::uint32_t kNone = 0xffffffff;
 
   struct Node {
-    std::uint32_t touches = kNone;  ///< the first half of the list of the body's edges
+    std::uint32_t first_edge = kNone;  ///< the first half of the list of the body's edges
     std::uint32_t degree = 0;
     std::uint32_t island = kNone;
     std::uint32_t next = kNone, previous = kNone;  ///< links of the ring of the bodies of its

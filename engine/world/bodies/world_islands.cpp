@@ -19,11 +19,11 @@ void World::State::note_island_changes() {
 
 /// Lists the new edges between bodies in islands, each once: the pairs that began to touch, and all
 /// pairs that touch of the bodies that join islands.
-void World::State::list_island_touches() {
-  island_touches.clear();
+void World::State::list_island_edges() {
+  island_edges.clear();
   const auto add = [&](BoxPair pair) {
     if (all.bodies[pair.a].joins_islands() && all.bodies[pair.b].joins_islands())
-      island_touches.push_back(pair);
+      island_edges.push_back(pair);
   };
   for (const BodyPair& pair : news.begun)
     add({pair.a.index, pair.b.index});
@@ -43,14 +43,14 @@ void World::State::list_island_touches() {
 /// this throws, the next update finds the same changes again; making a change twice does no harm.
 void World::State::keep_up_islands() {
   if (!settings.islands) return;
-  list_island_touches();
-  islands.make_room(all.bodies.size(), island_touches.size());
+  list_island_edges();
+  islands.make_room(all.bodies.size(), island_edges.size());
   const auto joins = [&](std::uint32_t index) { return all.bodies[index].joins_islands(); };
   for (const std::uint32_t index : island_changes) {
     if (joins(index)) islands.add(index);
   }
   // Edges are added first, so that fewer islands are split and joined again.
-  for (const BoxPair& pair : island_touches)
+  for (const BoxPair& pair : island_edges)
     islands.connect(pair.a, pair.b);
   for (const BodyPair& pair : news.ended) {
     if (islands.has(pair.a.index) && islands.has(pair.b.index))

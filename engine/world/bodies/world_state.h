@@ -264,7 +264,7 @@ struct World::State {
   Islands islands;
   std::vector<std::uint32_t> island_changes;  ///< bodies that are to join islands or to leave them
   std::vector<std::uint32_t> left_islands;    ///< bodies that were removed since the last update
-  std::vector<BoxPair> island_touches;        ///< edges that are to be added
+  std::vector<BoxPair> island_edges;          ///< edges that are to be added
   Movers movers;
   std::vector<SweptBody> swept;
   std::vector<BoxPair> swept_pairs;
@@ -357,7 +357,7 @@ struct World::State {
   bool is_updated() const { return changed.empty() && removed == 0 && !is_cut_short; }
   void check_is_updated(const char* what) const;
   void note_island_changes();
-  void list_island_touches();
+  void list_island_edges();
   void keep_up_islands();
   void rebuild_islands();
   void check_islands(const char* what) const;
