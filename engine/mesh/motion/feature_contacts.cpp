@@ -41,7 +41,7 @@ void FeatureContacts::ask_pair(const MeshPathAccess::Data& a, const MeshPathAcce
                                TrianglePair pair, Meshes meshes) {
   const bool is_self = meshes == Meshes::One;
   const TriangleIndices &of_a = a.start.triangles()[pair.a], &of_b = b.start.triangles()[pair.b];
-  const std::uint8_t owned_a = a.owned[pair.a], owned_b = b.owned[pair.b];
+  const std::uint8_t represented_a = a.represented[pair.a], represented_b = b.represented[pair.b];
   const auto are_one = [&](std::uint32_t vertex_a, std::uint32_t vertex_b) {
     return is_self && vertex_a == vertex_b;
   };
@@ -52,16 +52,16 @@ void FeatureContacts::ask_pair(const MeshPathAccess::Data& a, const MeshPathAcce
   const PointPath corner_a[3] = {path_a.a, path_a.b, path_a.c};
   const PointPath corner_b[3] = {path_b.a, path_b.b, path_b.c};
   for (std::uint32_t i = 0; i < 3; ++i) {
-    if ((owned_a & corner_bit(i)) != 0 && !(is_self && has(of_b, of_a[i])))
+    if ((represented_a & corner_bit(i)) != 0 && !(is_self && has(of_b, of_a[i])))
       ask_features(corner_a[i], path_b, {0, false, pair, MeetingFeatures::VertexFace, i, 0});
-    if ((owned_b & corner_bit(i)) != 0 && !(is_self && has(of_a, of_b[i])))
+    if ((represented_b & corner_bit(i)) != 0 && !(is_self && has(of_a, of_b[i])))
       ask_features(corner_b[i], path_a, {0, false, pair, MeetingFeatures::FaceVertex, 0, i});
-    if ((owned_a & edge_bit(i)) == 0) continue;
+    if ((represented_a & edge_bit(i)) == 0) continue;
     const std::uint32_t from_a = of_a[i], to_a = of_a[(i + 1) % 3];
     const EdgePath edge_a{corner_a[i], corner_a[(i + 1) % 3]};
     for (std::uint32_t k = 0; k < 3; ++k) {
       const std::uint32_t from_b = of_b[k], to_b = of_b[(k + 1) % 3];
-      if ((owned_b & edge_bit(k)) == 0 || are_one(from_a, from_b) || are_one(from_a, to_b) ||
+      if ((represented_b & edge_bit(k)) == 0 || are_one(from_a, from_b) || are_one(from_a, to_b) ||
           are_one(to_a, from_b) || are_one(to_a, to_b))
         continue;
       const EdgePath edge_b{corner_b[k], corner_b[(k + 1) % 3]};

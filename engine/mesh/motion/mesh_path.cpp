@@ -49,26 +49,26 @@ struct EdgeUse {
   auto operator<=>(const EdgeUse&) const = default;
 };
 
-std::vector<std::uint8_t> owned_features(const Mesh& mesh) {
+std::vector<std::uint8_t> represented_features(const Mesh& mesh) {
   const auto triangles = mesh.triangles();
-  std::vector<std::uint8_t> owned(triangles.size());
-  std::vector<bool> has_owner(mesh.vertices().size());
+  std::vector<std::uint8_t> represented(triangles.size());
+  std::vector<bool> is_represented(mesh.vertices().size());
   std::vector<EdgeUse> edges;
   edges.reserve(3 * triangles.size());
   for (std::uint32_t t = 0; t < triangles.size(); ++t) {
     for (std::uint32_t k = 0; k < 3; ++k) {
       const std::uint32_t vertex = triangles[t][k], next = triangles[t][(k + 1) % 3];
-      if (!has_owner[vertex]) owned[t] |= corner_bit(k);
-      has_owner[vertex] = true;
+      if (!is_represented[vertex]) represented[t] |= corner_bit(k);
+      is_represented[vertex] = true;
       edges.push_back({std::min(vertex, next), std::max(vertex, next), t, k});
     }
   }
   std::sort(edges.begin(), edges.end());
   for (std::size_t i = 0; i < edges.size(); ++i) {
     if (i > 0 && edges[i].low == edges[i - 1].low && edges[i].high == edges[i - 1].high) continue;
-    owned[edges[i].triangle] |= edge_bit(edges[i].place);
+    represented[edges[i].triangle] |= edge_bit(edges[i].place);
   }
-  return owned;
+  return represented;
 }
 
 }  // namespace
@@ -86,7 +86,7 @@ MeshPath::MeshPath(const Mesh& start, const Mesh& end) {
     for (const Aabb& box : boxes)
       bounds = around(bounds, {box.min, box.max, box.max});
     return std::make_shared<const Data>(
-        Data{start, end, bvh::build(boxes), bounds, owned_features(start)});
+        Data{start, end, bvh::build(boxes), bounds, represented_features(start)});
   });
 }
 
@@ -100,7 +100,7 @@ const Mesh& MeshPath::end() const {
 
 std::size_t MeshPath::bytes() const {
   return sizeof(Data) + data_->tree.nodes.capacity() * sizeof(bvh::Node) +
-         data_->tree.primitives.capacity() * sizeof(std::uint32_t) + data_->owned.capacity();
+         data_->tree.primitives.capacity() * sizeof(std::uint32_t) + data_->represented.capacity();
 }
 
 }  // namespace graze

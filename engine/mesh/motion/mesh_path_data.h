@@ -18,10 +18,10 @@ constexpr std::uint8_t edge_bit(std::uint32_t k) {
 struct MeshPath::Data {
   Mesh start;
   Mesh end;
-  bvh::Tree tree;                   ///< the tree over what the triangles sweep
-  Aabb bounds;                      ///< the bounds of all that
-  std::vector<std::uint8_t> owned;  ///< the features of each triangle that no earlier one has, as
-                                    ///< bits
+  bvh::Tree tree;  ///< the tree over what the triangles sweep
+  Aabb bounds;     ///< the bounds of all that
+  /// The corners and edges that each triangle represents, as bits: those that no earlier one has.
+  std::vector<std::uint8_t> represented;
 };
 
 /// The way of queries to the data.

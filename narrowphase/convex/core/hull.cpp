@@ -110,7 +110,7 @@ class FaceBuilder {
       : points_(points), triangles_(triangles), is_taken_(triangles.size(), false) {
     for (Index i = 0; i < triangles.size(); ++i) {
       for (int k = 0; k < 3; ++k)
-        owner_[{triangles[i][k], triangles[i][(k + 1) % 3]}] = i;
+        face_of_[{triangles[i][k], triangles[i][(k + 1) % 3]}] = i;
     }
   }
 
@@ -126,7 +126,7 @@ class FaceBuilder {
       open.pop_back();
       for (int k = 0; k < 3; ++k) {
         const Index from = t[k], to = t[(k + 1) % 3];
-        const Index twin = owner_.at({to, from});
+        const Index twin = face_of_.at({to, from});
         if (!is_in_plane(first, twin)) {
           next[from] = to;
         } else if (!is_taken_[twin]) {
@@ -152,7 +152,7 @@ class FaceBuilder {
   const std::vector<Vec3>& points_;
   const std::vector<Corners>& triangles_;
   std::vector<bool> is_taken_;
-  std::map<std::pair<Index, Index>, Index> owner_;
+  std::map<std::pair<Index, Index>, Index> face_of_;
 };
 
 /// The unit normal of a face, from three of its corners that are apart: no three are on a line.
@@ -168,19 +168,19 @@ Vec3 normal_of(const std::vector<Vec3>& p, const std::vector<Index>& loop) {
 
 /// Which face each edge leads to.
 void add_neighbours(Hull& hull) {
-  std::map<std::pair<Index, Index>, Index> owner;
+  std::map<std::pair<Index, Index>, Index> face_of;
   const auto edge = [&](const Hull::Face& face, Index i) {
     const Index next = i + 1 == face.count ? 0 : i + 1;
     return std::pair(hull.loops[face.first + i], hull.loops[face.first + next]);
   };
   for (Index f = 0; f < hull.faces.size(); ++f) {
     for (Index i = 0; i < hull.faces[f].count; ++i)
-      owner[edge(hull.faces[f], i)] = f;
+      face_of[edge(hull.faces[f], i)] = f;
   }
   for (const Hull::Face& face : hull.faces) {
     for (Index i = 0; i < face.count; ++i) {
       const auto [from, to] = edge(face, i);
-      hull.beyond.push_back(owner.at({to, from}));
+      hull.beyond.push_back(face_of.at({to, from}));
     }
   }
 }
