@@ -6,17 +6,17 @@
 
 namespace graze {
 
-/// How cast() asks.
+/// Says how cast() treats triangles that meet at t = 0.
 struct CastSettings {
   StartContact start = StartContact::Counts;  ///< what a contact at t = 0 is
 };
 
-/// When triangle B, moved by `t displacement` (metres, t in [0, 1]), meets triangle A, which stays,
-/// or nothing if it never does (law 13). In real arithmetic on the given doubles, for every finite
-/// input: triangles that slide in one plane, touch in passing, have no area, are huge or tiny; a
-/// displacement of zero asks whether they meet where they are. The time is never late, and early by
-/// less than the distance of two doubles. Swapping A and B along the opposite displacement, and the
-/// order of corners, change nothing.
+/// Returns when triangle B, moved by `t displacement` (metres, t in [0, 1]), first meets triangle
+/// A, which stays, or nothing if it never does (law 13). The answer is that of real arithmetic on
+/// the given doubles, for every finite input: triangles that slide in one plane, touch in passing,
+/// have no area, are huge or tiny; a displacement of zero asks whether they meet where they are.
+/// The time is never late, and it is early by less than the distance of two doubles. Swapping A and
+/// B along the opposite displacement, and the order of corners, change nothing.
 ///
 /// With StartContact::IsLeft triangles that meet at t = 0 count only if they cross (crosses())
 /// there or directly afterwards, and then at t = 0: what rests on a surface, slides along it or
@@ -33,12 +33,12 @@ std::optional<FirstContact> cast(const Triangle& triangle_a, const Triangle& tri
                                  const Eigen::Vector3d& displacement,
                                  const CastSettings& settings = {});
 
-/// When a closed ball, moved by `t displacement` (metres, t in [0, 1]), meets a triangle, which
-/// stays, or nothing if it never does (law 13). In real arithmetic on the given doubles, for every
-/// finite input: a ball that touches in passing, at no double at all, has a radius of 0, is huge or
-/// tiny; a triangle without area. The time is never late, and early by less than the distance of
-/// two doubles. To move the triangle instead, give the opposite displacement; the order of corners
-/// changes nothing.
+/// Returns when a closed ball, moved by `t displacement` (metres, t in [0, 1]), first meets a
+/// triangle, which stays, or nothing if it never does (law 13). The answer is that of real
+/// arithmetic on the given doubles, for every finite input: a ball may touch in passing, at a time
+/// that is no double, have a radius of 0, be huge or tiny, and the triangle may have no area. The
+/// time is never late, and it is early by less than the distance of two doubles. To move the
+/// triangle instead, give the opposite displacement; the order of corners changes nothing.
 ///
 /// With StartContact::IsLeft a ball that meets the triangle at t = 0 does so only if its inside
 /// does then, or directly afterwards: what rests on a triangle, rolls along it or leaves it goes

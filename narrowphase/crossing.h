@@ -16,22 +16,22 @@ namespace graze {
 /// that is not finite.
 bool crosses(const Triangle& triangle_a, const Triangle& triangle_b);
 
-/// intersects() or crosses(), as `touch` says. Throws InputError for a policy that is none.
+/// Answers intersects() or crosses(), as `touch` says. Throws InputError for a policy that is none.
 bool intersects(const Triangle& triangle_a, const Triangle& triangle_b, Touch touch);
 
 namespace narrowphase {
 
-/// What intersects() answers under this policy, with the stage that decided.
+/// Returns what intersects() answers under this policy, with the stage that decided.
 Decision decide(const Triangle& triangle_a, const Triangle& triangle_b, Touch touch);
 
-/// The floating-point stage of crosses() alone: sure, or unsure. Apart means that they do not
-/// cross, Touching that they do. Not finite input is Unsure.
+/// Asks the floating-point stage of crosses() alone. Apart means that they do not cross, Touching
+/// that they do. Not finite input is Unsure.
 Verdict crossing_triage(const Triangle& triangle_a, const Triangle& triangle_b);
 
-/// The exact stage of crosses() alone. Throws as crosses() does.
+/// Asks the exact stage of crosses() alone. Throws as crosses() does.
 bool crosses_exactly(const Triangle& triangle_a, const Triangle& triangle_b);
 
-/// Throws InputError for a policy that is none.
+/// Throws InputError for a value that is no policy.
 void check_touch(Touch touch);
 
 }  // namespace narrowphase

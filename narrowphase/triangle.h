@@ -8,8 +8,8 @@ namespace graze {
 /// degenerates to.
 struct Triangle {
   Eigen::Vector3d a;  ///< the first corner
-  Eigen::Vector3d b;  ///< the second
-  Eigen::Vector3d c;  ///< the third
+  Eigen::Vector3d b;  ///< the second corner
+  Eigen::Vector3d c;  ///< the third corner
 
   bool operator==(const Triangle&) const = default;
 };

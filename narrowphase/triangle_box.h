@@ -13,26 +13,26 @@ namespace graze {
 /// Akenine-Möller, "Fast 3D triangle-box overlap testing", Journal of Graphics Tools 6(1), 2001.
 bool intersects(const Triangle& triangle, const Aabb& box);
 
-/// As above for an oriented box: each vertex v goes into the box's frame as law 3 says,
-/// q = v - t and then ((R_0i q_x + R_1i q_y) + R_2i q_z), each operation rounded to double, and the
-/// triangle of the results meets [-half_extents, half_extents] exactly.
+/// Tests the triangle against an oriented box in the same way: each vertex v goes into the box's
+/// frame as law 3 says, q = v - t and then ((R_0i q_x + R_1i q_y) + R_2i q_z), each operation
+/// rounded to double, and the triangle of the results meets [-half_extents, half_extents] exactly.
 /// Throws InputError or PoseError for an invalid box, and InputError if a vertex overflows on its
 /// way into the frame.
 bool intersects(const Triangle& triangle, const Obb& box);
 
 namespace narrowphase {
 
-/// Law 3's transformation into the frame of an oriented box, without checking either.
+/// Transforms into the frame of an oriented box as law 3 says, without checking either argument.
 Eigen::Vector3d point_into_frame(const Eigen::Vector3d& point, const Pose& frame);
 Triangle into_frame(const Triangle& triangle, const Pose& frame);
 
-/// What intersects() answers, with the stage that decided.
+/// Returns what intersects() answers, with the stage that decided.
 Decision decide(const Triangle& triangle, const Aabb& box);
 
-/// The floating-point stage alone. Not finite input is Unsure.
+/// Asks the floating-point stage alone. Input that is not finite is Unsure.
 Verdict triage(const Triangle& triangle, const Aabb& box);
 
-/// The exact stage alone. Throws as intersects() does.
+/// Asks the exact stage alone. Throws as intersects() does.
 bool intersects_exactly(const Triangle& triangle, const Aabb& box);
 
 }  // namespace narrowphase

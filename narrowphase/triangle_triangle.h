@@ -14,13 +14,14 @@ bool intersects(const Triangle& triangle_a, const Triangle& triangle_b);
 
 namespace narrowphase {
 
-/// What intersects() answers, with the stage that decided.
+/// Returns what intersects() answers, with the stage that decided.
 Decision decide(const Triangle& triangle_a, const Triangle& triangle_b);
 
-/// The floating-point stage alone: sure, or unsure (law 6). Not finite input is Unsure.
+/// Asks the floating-point stage alone, which is sure or unsure (law 6). Input that is not finite
+/// is Unsure.
 Verdict triage(const Triangle& triangle_a, const Triangle& triangle_b);
 
-/// The exact stage alone. Throws as intersects() does.
+/// Asks the exact stage alone. Throws as intersects() does.
 bool intersects_exactly(const Triangle& triangle_a, const Triangle& triangle_b);
 
 }  // namespace narrowphase

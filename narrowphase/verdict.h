@@ -2,13 +2,14 @@
 
 namespace graze::narrowphase {
 
-/// What a floating-point stage may answer (law 6). Unsure goes one stage on, never to the user.
+/// Lists what a floating-point stage may answer (law 6). An Unsure pair goes to the next stage; the
+/// user never sees it.
 enum class Verdict { Apart, Touching, Unsure };
 
-/// Which stage gave an answer.
+/// Names the stage that gave an answer.
 enum class Stage { Triage, Exact };
 
-/// An exact answer, and how it was come by.
+/// Holds an exact answer and the stage that gave it.
 struct Decision {
   bool is_hit;
   Stage stage;

@@ -6,10 +6,10 @@
 namespace graze {
 
 /// Asks the library the question of a case again. Throws InputError for a question that no query
-/// answers for such shapes, and whatever the query throws.
+/// answers for such shapes, and passes on what the query throws.
 CaseAnswer answer_case(const Case& query, Work* work = nullptr);
 
-/// The name and version of this library, as it signs answers.
+/// Returns the name and version of this library, as it signs answers.
 CaseWitness this_library();
 
 }  // namespace graze

@@ -7,45 +7,46 @@
 
 namespace graze {
 
-/// The parts of a MeshIntersection, each with what belongs to it in place of where that stands in a
-/// list.
+/// Holds the parts of a MeshIntersection, each together with what belongs to it instead of places
+/// in lists.
 struct CaseIntersection {
-  /// An IntersectionSegment.
+  /// Holds an IntersectionSegment.
   struct Segment {
     std::uint32_t from;               ///< index into `points`
-    std::uint32_t to;                 ///< likewise
-    std::vector<TrianglePair> pairs;  ///< of triangles that meet in it
+    std::uint32_t to;                 ///< index into `points`
+    std::vector<TrianglePair> pairs;  ///< the pairs of triangles that meet in it
     bool operator==(const Segment&) const = default;
   };
-  /// An IntersectionCurve.
+  /// Holds an IntersectionCurve.
   struct Curve {
-    bool is_closed;                 ///< whether it ends where it began
+    bool is_closed;                 ///< true if it ends where it began
     std::vector<Segment> segments;  ///< end to end
     bool operator==(const Curve&) const = default;
   };
-  /// An IntersectionPolygon.
+  /// Holds an IntersectionPolygon.
   struct Polygon {
     std::vector<std::uint32_t> corners;  ///< indices into `points`, around it
-    std::vector<TrianglePair> pairs;     ///< of triangles that meet in it
+    std::vector<TrianglePair> pairs;     ///< the pairs of triangles that meet in it
     bool operator==(const Polygon&) const = default;
   };
-  /// A TouchingPoint.
+  /// Holds a TouchingPoint.
   struct Touch {
     std::uint32_t point;              ///< index into `points`
-    std::vector<TrianglePair> pairs;  ///< of triangles that meet in it
+    std::vector<TrianglePair> pairs;  ///< the pairs of triangles that meet in it
     bool operator==(const Touch&) const = default;
   };
 
   std::vector<IntersectionPoint> points;      ///< ascending by position
-  std::vector<Curve> curves;                  ///< of segments
-  std::vector<std::vector<Polygon>> patches;  ///< each a list of polygons that are connected
-  std::vector<Touch> touching_points;         ///< on no segment and no polygon
+  std::vector<Curve> curves;                  ///< curves made of segments
+  std::vector<std::vector<Polygon>> patches;  ///< patches, each a list of polygons that are
+                                              ///< connected
+  std::vector<Touch> touching_points;         ///< points on no segment and no polygon
 };
 
-/// The same with everything in its place.
+/// Returns the same intersection as parts.
 CaseIntersection in_parts(const MeshIntersection& intersection);
 
-/// Whether two agree in every bit, but for the sign of zeros.
+/// True if two agree in every bit, but for the sign of zeros.
 bool is_same(const CaseIntersection& a, const CaseIntersection& b);
 
 }  // namespace graze

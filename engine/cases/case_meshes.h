@@ -8,12 +8,12 @@
 
 namespace graze {
 
-/// Meshes of files that several cases name: each file is read once, however many cases are about
-/// it, and their meshes are handles to one. For one thread at a time.
+/// Keeps meshes of files that several cases name: each file is read once, however many cases are
+/// about it, and their meshes are handles to one. One thread may use it at a time.
 class CaseMeshes {
  public:
-  /// As load_case_mesh(), and with its errors. A file that was read before is not read again,
-  /// whatever has become of it since.
+  /// Does what load_case_mesh() does, with its errors. A file that was read before is not read
+  /// again, whatever has become of it since.
   Mesh load(const CaseMeshFile& file, const std::filesystem::path& folder);
 
  private:

@@ -53,7 +53,8 @@ std::string usage_hint(const CLI::App& program) {
                         : " (see graze " + chosen[0]->get_name() + " --help)";
 }
 
-/// CLI11 would say that a subcommand is required, which hides that one was given.
+/// Refuses arguments without a subcommand. CLI11 would say that one is required, which hides that
+/// one was given.
 void check_subcommand(const CLI::App& program, const std::vector<std::string>& arguments) {
   if (arguments.empty() || arguments[0].starts_with('-')) return;
   const auto is_named = [&](const CLI::App* command) { return command->check_name(arguments[0]); };
@@ -66,7 +67,7 @@ void check_subcommand(const CLI::App& program, const std::vector<std::string>& a
 ExitCode parse_and_run(CLI::App& program, std::vector<std::string> arguments, const Action& action,
                        Output& output) {
   check_subcommand(program, arguments);
-  std::reverse(arguments.begin(), arguments.end());  // the order in which CLI11 takes them
+  std::reverse(arguments.begin(), arguments.end());  // CLI11 takes them in this order
   try {
     program.parse(arguments);
   } catch (const CLI::CallForHelp&) {

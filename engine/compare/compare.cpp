@@ -63,7 +63,7 @@ Comparison compare_any(bool graze_intersects, bool fcl_intersects,
     add(comparison, {*proof, graze_intersects, fcl_intersects, true});
   } else if (!witnesses.empty()) {
     add(comparison, {witnesses.front(), graze_intersects, fcl_intersects, false});
-  } else {  // a yes that its own engine cannot show: there is no pair to name
+  } else {  // its own engine cannot show this yes: there is no pair to name
     ++(graze_intersects ? comparison.graze_wrong : comparison.fcl_wrong);
   }
   return comparison;

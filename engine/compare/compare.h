@@ -1,6 +1,6 @@
 #pragma once
 
-// Two engines, one question, and a referee for what they do not agree on.
+// Asks two engines one question, and a referee where they do not agree.
 
 #include <graze/engine/compare/fcl_engine.h>
 #include <graze/engine/mesh/pair.h>
@@ -12,8 +12,8 @@
 
 namespace graze::compare {
 
-/// A pair that decides: one engine says that it intersects, the other does not, and the referee
-/// knows. For boolean queries "says" is the answer for the whole meshes.
+/// Describes a pair that decides: one engine says that it intersects, the other does not, and the
+/// referee knows. For boolean queries "says" is the answer for the whole meshes.
 struct Difference {
   TrianglePair pair;
   bool graze_says;
@@ -21,8 +21,8 @@ struct Difference {
   bool truth;
 };
 
-/// What both engines answered to one query, and who was right where they differ. What they agree on
-/// is not settled.
+/// Holds what both engines answered to one query, and who was right where they differ. Where they
+/// agree nothing is settled.
 struct Comparison {
   bool graze_intersects = false;
   bool fcl_intersects = false;
@@ -33,7 +33,7 @@ struct Comparison {
   std::size_t fcl_wrong = 0;    ///< answers of FCL that the referee overrules
 };
 
-/// One side of a query, as both engines hold it. Both must outlive it.
+/// Holds one side of a query, as both engines have it. Both must outlive it.
 struct Side {
   PlacedMeshView placed;
   const FclMesh& fcl;
@@ -59,7 +59,7 @@ Comparison compare_any(bool graze_intersects, bool fcl_intersects,
 /// yes.
 Comparison compare_any(const Side& side_a, const Side& side_b);
 
-/// As above with graze's answer already there.
+/// Compares boolean answers in the same way, with graze's answer already there.
 Comparison compare_any(bool graze_intersects, const Side& side_a, const Side& side_b);
 
 }  // namespace graze::compare

@@ -64,8 +64,8 @@ void ExactSimplex::add_surplus(int row) {
   outside_[column] = kFirstSlack + row;
 }
 
-// Bland: of the variables that lower the sum, the one with the smallest number. kRight if none
-// does.
+// Chooses by Bland's rule: of the variables that lower the sum, the one with the smallest number.
+// Returns kRight if none does.
 int ExactSimplex::entering_column() const {
   int best = kRight;
   for (int j = 1; j < columns_; ++j) {
@@ -75,8 +75,8 @@ int ExactSimplex::entering_column() const {
   return best;
 }
 
-// The row whose basic variable reaches zero first; of several, the smallest number. One exists: the
-// objective's entry is the sum of the artificial rows', so one of these is positive.
+// Returns the row whose basic variable reaches zero first, and of several the smallest number. One
+// exists: the objective's entry is the sum of the artificial rows', so one of these is positive.
 int ExactSimplex::leaving_row(int column) {
   int best = 0;
   for (int i = 1; i < rows_; ++i) {

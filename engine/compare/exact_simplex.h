@@ -6,7 +6,7 @@
 
 namespace graze::compare {
 
-/// How the two sides of a linear constraint compare.
+/// Says how the two sides of a linear constraint compare.
 enum class Relation { AtMost, Equal };
 
 /// Decides whether a few linear constraints with integer coefficients have a solution in real
@@ -31,16 +31,16 @@ class ExactSimplex {
   /// caller fills them in, and returns its row. At most kMaxConstraints.
   int add_constraint(Relation relation);
 
-  /// The coefficient of unknown j, counted from zero.
+  /// Returns the coefficient of unknown j, counted from zero.
   mpz_class& coefficient(int row, int unknown) { return cell_[row][1 + unknown]; }
   mpz_class& right(int row) { return cell_[row][kRight]; }
 
-  /// Consumes the system.
+  /// True if the system has a solution. It is consumed.
   bool is_feasible();
 
  private:
-  static constexpr int kObjective = 0;  ///< row of the sum of artificial variables
-  static constexpr int kRight = 0;      ///< column of the right-hand sides
+  static constexpr int kObjective = 0;  ///< the row of the sum of artificial variables
+  static constexpr int kRight = 0;      ///< the column of the right-hand sides
   static constexpr int kRows = 1 + kMaxConstraints;
   static constexpr int kColumns = 1 + kMaxUnknowns + kMaxConstraints;
   static constexpr int kFirstSlack = 1 + kMaxUnknowns;

@@ -1,7 +1,7 @@
 #pragma once
 
-// The same queries answered by FCL, the Flexible Collision Library, as a second opinion. No type of
-// FCL appears here, so that users need neither its headers nor its compile flags.
+// Asks FCL, the Flexible Collision Library, the same queries, for a second opinion. No type of FCL
+// appears here, so that users need neither its headers nor its compile flags.
 
 #include <graze/bvh/pose.h>
 #include <graze/engine/mesh/mesh.h>
@@ -12,11 +12,11 @@
 
 namespace graze::compare {
 
-/// A mesh as FCL sees it: its own copy of the triangles under a tree of OBBs and RSSs. Safe to
-/// query from many threads at once.
+/// Holds a mesh as FCL sees it: its own copy of the triangles under a tree of OBBs and RSSs. Many
+/// threads may query it at once.
 class FclMesh {
  public:
-  /// Builds FCL's tree: O(n log n). Throws MeshError if FCL refuses the mesh.
+  /// Builds FCL's tree in O(n log n). Throws MeshError if FCL refuses the mesh.
   explicit FclMesh(const Mesh& mesh);
   ~FclMesh();
   FclMesh(FclMesh&&) noexcept;
@@ -34,16 +34,16 @@ class FclMesh {
   std::unique_ptr<const Model> model_;
 };
 
-/// FCL's answer: plain floating point, so that it may be wrong near touching. Stops at the first
-/// pair that FCL finds.
+/// Returns FCL's answer, in plain floating point, so that it may be wrong near touching. FCL stops
+/// at the first pair that it finds.
 bool intersects(const FclMesh& mesh_a, const Pose& pose_a, const FclMesh& mesh_b,
                 const Pose& pose_b);
 
-/// All pairs that FCL finds, in ascending order, each once.
+/// Returns all pairs that FCL finds, in ascending order, each once.
 std::vector<TrianglePair> find_triangle_pairs(const FclMesh& mesh_a, const Pose& pose_a,
                                               const FclMesh& mesh_b, const Pose& pose_b);
 
-/// What FCL says of the distance of two surfaces: 0 for those that it thinks touch.
+/// Says what FCL does of the distance of two surfaces: 0 for those that it thinks touch.
 struct FclDistance {
   double distance;  ///< metres
   TrianglePair pair;
@@ -51,16 +51,16 @@ struct FclDistance {
 FclDistance distance(const FclMesh& mesh_a, const Pose& pose_a, const FclMesh& mesh_b,
                      const Pose& pose_b);
 
-/// One contact of FCL, which makes several of a pair of triangles.
+/// Holds one contact of FCL, which makes several of a pair of triangles.
 struct FclContact {
   Eigen::Vector3d point;
-  Eigen::Vector3d normal;  ///< from A to B
+  Eigen::Vector3d normal;  ///< unit, from A to B
   double depth;            ///< metres
 };
 std::vector<FclContact> find_contacts(const FclMesh& mesh_a, const Pose& pose_a,
                                       const FclMesh& mesh_b, const Pose& pose_b);
 
-/// The version of FCL's headers.
+/// Returns the version of FCL's headers.
 const char* fcl_version();
 
 }  // namespace graze::compare

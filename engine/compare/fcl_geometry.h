@@ -1,6 +1,6 @@
 #pragma once
 
-// Shapes as FCL's geometries: for sources that see FCL's headers anyway.
+// Makes shapes into FCL's geometries, for sources that see FCL's headers anyway.
 
 #include <fcl/geometry/collision_geometry.h>
 
@@ -16,10 +16,10 @@ struct FclGeometry {
   Eigen::Vector3d centre{0, 0, 0};  ///< FCL's spheres and ellipsoids are at 0
 };
 
-/// A mesh under a tree of OBBs and RSSs.
+/// Returns a shape as FCL's geometry; a mesh is under a tree of OBBs and RSSs.
 FclGeometry fcl_geometry(const Shape& shape);
 
-/// Where a geometry with that centre goes.
+/// Returns where a geometry with that centre goes.
 fcl::Transform3d fcl_transform(const Pose& pose, const Eigen::Vector3d& centre);
 
 }  // namespace graze::compare

@@ -17,13 +17,13 @@
 static_assert(EIGEN_MAX_ALIGN_BYTES == 16, "compile this file without -march or -mavx flags");
 
 namespace graze::compare {
-/// A shape as FCL has it.
+/// Holds a shape as FCL has it.
 struct ShapeOfScene {
   FclGeometry fcl;
   ShapeKind kind;
 };
 
-/// What a callback knows of a body.
+/// Holds what a callback knows of a body.
 struct BodyTag {
   std::size_t body;
   ShapeKind kind;
@@ -37,7 +37,7 @@ using Objects = std::vector<fcl::CollisionObjectd*>;
 /// FCL's own examples make so many cells along the longest side.
 constexpr double kCells = 20;
 
-/// A hash of cells needs to know where its bodies are: those whose boxes end.
+/// Makes a hash of cells, which needs to know where its bodies are: those whose boxes end.
 std::unique_ptr<Manager> hash_around(const Objects& objects) {
   fcl::AABBd all;
   bool is_empty = true;
@@ -73,7 +73,7 @@ std::unique_ptr<Manager> manager_for(FclManager manager, const Objects& objects)
   }
 }
 
-/// FCL 0.7 crashes when a tree of several bodies has one without an end.
+/// True for a shape without an end: FCL 0.7 crashes when a tree of several bodies has one.
 bool is_endless(ShapeKind kind) {
   return kind == ShapeKind::HalfSpace || kind == ShapeKind::Plane;
 }
@@ -85,7 +85,7 @@ bool takes(FclManager manager, ShapeKind kind) {
 
 using Found = std::vector<std::pair<std::size_t, std::size_t>>;
 
-/// FCL's callback: true would end the walk.
+/// Is FCL's callback: true would end the walk.
 bool add_if_colliding(fcl::CollisionObjectd* a, fcl::CollisionObjectd* b, void* found) {
   const auto* tag_a = static_cast<const BodyTag*>(a->getUserData());
   const auto* tag_b = static_cast<const BodyTag*>(b->getUserData());
@@ -102,8 +102,8 @@ bool add_if_colliding(fcl::CollisionObjectd* a, fcl::CollisionObjectd* b, void* 
 struct FclScene::Held {
   FclManager manager;
   std::vector<ShapeOfScene> shapes;
-  // As long as the bodies are the same ones, whatever their poses: FCL measures a mesh when an
-  // object is made of it.
+  // They are kept as long as the bodies are the same ones, whatever their poses: FCL measures a
+  // mesh when an object is made of it.
   std::vector<std::size_t> known;
   std::vector<std::unique_ptr<fcl::CollisionObjectd>> objects;
   std::vector<BodyTag> tags;

@@ -19,7 +19,7 @@ struct FclMover::Geometry {
   FclGeometry value;
   Shape shape;
 
-  /// FCL 0.7's advancement dies of SIGSEGV with them.
+  /// True for shapes with which FCL 0.7's advancement dies of SIGSEGV.
   bool has_no_end() const {
     return shape.kind() == ShapeKind::HalfSpace || shape.kind() == ShapeKind::Plane;
   }
@@ -29,11 +29,11 @@ namespace {
 
 using FclMotionPointer = std::shared_ptr<fcl::MotionBase<double>>;
 
-/// Beyond it the short way, which FCL takes, may be another.
+/// Beyond this angle the short way, which FCL takes, may be another.
 constexpr double kMostTurnedByFcl = 3;
 
-/// So far from its axis a shift may lead, as a share of itself: what rounding of one that was meant
-/// to lie along it does.
+/// A shift may lead this far from its axis, as a share of itself: a shift that was meant to lie
+/// along it does after rounding.
 constexpr double kAcrossTheAxis = 0x1p-40;
 
 bool is_screw(const RigidMotion& motion) {
@@ -47,8 +47,8 @@ bool can_go(FclCourse course, const RigidMotion& motion) {
   return course == FclCourse::Screw ? is_screw(motion) : motion.angle() == 0;
 }
 
-/// A spline whose four points lie evenly in a line goes from the second to the third, steadily. The
-/// constructor of two poses leaves it as it was in memory.
+/// Makes a spline. If its four points lie evenly in a line it goes from the second to the third,
+/// steadily. The constructor of two poses leaves it as it was in memory.
 FclMotionPointer spline(const fcl::Transform3d& start, const fcl::Vector3d& shift) {
   const fcl::AngleAxisd turned(start.linear());
   const fcl::Vector3d r = turned.angle() * turned.axis();
@@ -57,11 +57,11 @@ FclMotionPointer spline(const fcl::Transform3d& start, const fcl::Vector3d& shif
                                                      r, r);
 }
 
-/// FCL names the point that goes straight in the frame of the geometry.
+/// Makes a motion. FCL names the point that goes straight in the frame of the geometry.
 FclMotionPointer interpolated(const fcl::Transform3d& start, const fcl::Transform3d& end,
                               const Eigen::Vector3d& centre) {
   const fcl::Vector3d inside = start.inverse() * fcl::Vector3d(centre);
-  // The one that takes whole transforms leaves the velocities as they were in memory.
+  // The constructor that takes whole transforms leaves the velocities as they were in memory.
   return std::make_shared<fcl::InterpMotion<double>>(start.linear(), start.translation(),
                                                      end.linear(), end.translation(), inside);
 }
@@ -81,9 +81,9 @@ FclMotionPointer to_fcl(const RigidMotion& motion, const FclGeometry& shape, Fcl
   }
 }
 
-/// A mesh and its motion, as FCL's polynomials know them: they look at no pose, so that
-/// the vertices are placed; and they move the vertices that they are given, so that each question
-/// gets its own.
+/// Holds a mesh and its motion, as FCL's polynomials know them: they look at no pose, so that the
+/// vertices are placed; and they move the vertices that they are given, so that each question gets
+/// its own.
 struct StraightMesh {
   FclGeometry geometry;
   fcl::TranslationMotion<double> motion;
@@ -121,7 +121,7 @@ std::optional<FclFirstContact> answer(const fcl::CollisionGeometryd& a,
   fcl::ContinuousCollisionResultd result;
   const double time =
       fcl::continuousCollide(&a, &course_a, &b, &course_b, request_of(settings), result);
-  if (time < 0) return std::nullopt;  // its word for what it has no function for
+  if (time < 0) return std::nullopt;  // FCL says so if it has no function for them
   return FclFirstContact{result.is_collide, result.is_collide ? result.time_of_contact : 1};
 }
 

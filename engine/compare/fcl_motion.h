@@ -1,6 +1,6 @@
 #pragma once
 
-// The first contact of two moving shapes, as FCL finds it. No type of FCL appears here.
+// Finds the first contact of two moving shapes with FCL. No type of FCL appears here.
 
 #include <graze/engine/mesh/rigid_motion.h>
 #include <graze/engine/world/shape.h>
@@ -11,28 +11,30 @@
 
 namespace graze::compare {
 
-/// How FCL looks for a first contact.
+/// Says how FCL looks for a first contact.
 enum class FclContinuous {
   Sampled,    ///< its default: poses, evenly spread
   Advanced,   ///< conservative advancement
-  Polynomial  ///< vertices on straight paths: of two meshes that do not turn
+  Polynomial  ///< vertices on straight paths, for two meshes that do not turn
 };
 
-/// FCL's kinds of motions. A course is asked as one that goes the same path, or not at all.
+/// Names FCL's kinds of motions. A course is asked as one that goes the same path, or not at all.
 enum class FclCourse {
-  Interpolated,  ///< InterpMotion: any that turns by less than 3 radians
-  Screw,         ///< ScrewMotion: of these, shifts along the axis, and what does not turn
-  Translation,   ///< TranslationMotion: what does not turn
-  Spline         ///< SplineMotion: likewise, its four points being in line
+  Interpolated,  ///< InterpMotion, for any course that turns by less than 3 radians
+  Screw,  ///< ScrewMotion, for such courses that shift along the axis, and for those that do not
+          ///< turn
+  Translation,  ///< TranslationMotion, for courses that do not turn
+  Spline        ///< SplineMotion, for courses that do not turn, its four points being in line
 };
 
-/// FCL's searches for nearest points of convex shapes.
+/// Names FCL's searches for nearest points of convex shapes.
 enum class FclNearest { Libccd, Independent };
 
-/// Who is FCL's first geometry.
+/// Says which shape is FCL's first geometry.
 enum class FclOrder { Kept, Swapped };
 
-/// All that a ContinuousCollisionRequest says, with FCL's defaults, but for the kind of motion.
+/// Holds all that a ContinuousCollisionRequest says, with FCL's defaults, but for the kind of
+/// motion.
 struct FclMotionSettings {
   FclContinuous how = FclContinuous::Sampled;
   FclCourse course = FclCourse::Interpolated;
@@ -43,7 +45,7 @@ struct FclMotionSettings {
       1e-4;  ///< toc_err, a share of the time; FCL takes no more than 1 / it samples
 };
 
-/// A shape, or a mesh under a tree of OBBs and RSSs, made once for many motions.
+/// Holds a shape, or a mesh under a tree of OBBs and RSSs, made once for many motions.
 class FclMover {
  public:
   explicit FclMover(const Shape& shape);
@@ -58,15 +60,16 @@ class FclMover {
   std::unique_ptr<const Geometry> geometry_;
 };
 
-/// What FCL says.
+/// Holds what FCL says.
 struct FclFirstContact {
   bool is_hit;
   double time;  ///< from 0 to 1
 };
 
-/// FCL's answer. Nothing of motions that turn by 3 radians or more, for it turns the short way, and
-/// of courses that the kind of motion cannot go. Nothing either of shapes that it has no such
-/// function for, and of its advancement of half-spaces and planes, with which FCL 0.7 crashes.
+/// Returns FCL's answer. It is nothing for motions that turn by 3 radians or more, for FCL turns
+/// the short way, for courses that the kind of motion cannot go, and for shapes that FCL has no
+/// such function for. It is nothing either for FCL's advancement of half-spaces and planes, with
+/// which FCL 0.7 crashes.
 std::optional<FclFirstContact> first_contact(const FclMover& shape_a, const RigidMotion& motion_a,
                                              const FclMover& shape_b, const RigidMotion& motion_b,
                                              const FclMotionSettings& settings);

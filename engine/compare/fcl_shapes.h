@@ -1,6 +1,6 @@
 #pragma once
 
-// Shapes of all kinds as FCL holds them. No type of FCL appears here.
+// Holds shapes of all kinds as FCL does. No type of FCL appears here.
 
 #include <memory>
 #include <optional>
@@ -12,7 +12,7 @@
 
 namespace graze::compare {
 
-/// A shape of FCL's own, made once for many poses. Safe to query from many threads at once.
+/// Holds a shape of FCL's own, made once for many poses. Many threads may query it at once.
 class FclShape {
  public:
   explicit FclShape(const Shape& shape);
@@ -28,21 +28,22 @@ class FclShape {
   std::unique_ptr<const Geometry> geometry_;
 };
 
-/// Whether FCL has a function for two such shapes: none for two half-spaces or planes; for a hull
-/// and a plane it calls one that is not there.
+/// True if FCL has a function for two such shapes. It has none for two half-spaces or planes, and
+/// for a hull and a plane it calls one that is not there.
 bool fcl_knows(ShapeKind a, ShapeKind b);
 
-/// FCL's answer, by its default solver; nothing of two half-spaces or planes, which it does not
-/// know, and of a hull and a plane, of which it crashes.
+/// Returns FCL's answer by its default solver, and nothing for two half-spaces or planes, which it
+/// does not know, or for a hull and a plane, with which it crashes.
 std::optional<bool> intersects(const FclShape& shape_a, const Pose& pose_a, const FclShape& shape_b,
                                const Pose& pose_b);
 
-/// FCL's distance, by its default solver; below 0 it says that they meet. Nothing of half-spaces
-/// and planes, whose distances it does not know, and where it finds none.
+/// Returns FCL's distance by its default solver; below 0 FCL says that they meet. Returns nothing
+/// for half-spaces and planes, whose distances it does not know, and where it finds none.
 std::optional<double> distance(const FclShape& shape_a, const Pose& pose_a, const FclShape& shape_b,
                                const Pose& pose_b);
 
-/// FCL's contacts, with the depth that its solver finds; nothing as of intersects().
+/// Returns FCL's contacts, with the depth that its solver finds, and nothing where intersects()
+/// does.
 std::optional<std::vector<FclContact>> find_contacts(const FclShape& shape_a, const Pose& pose_a,
                                                      const FclShape& shape_b, const Pose& pose_b);
 

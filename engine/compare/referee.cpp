@@ -19,7 +19,7 @@ void check_finite(const Triangle& triangle, const char* what) {
   }
 }
 
-// The coordinates of a triangle along one axis, as integers in a common scale.
+/// Holds the coordinates of a triangle along one axis, as integers in a common scale.
 struct WholeTriangle {
   mpz_class a;
   mpz_class b;
@@ -46,7 +46,7 @@ void add_weights(ExactSimplex& program, int first) {
   program.right(row) = 1;
 }
 
-// The memory that the integers of a thread keep from one call to the next.
+/// Keeps the memory of a thread's integers from one call to the next.
 struct Workspace {
   ExactSimplex program;
   WholeTriangle p;
@@ -60,8 +60,8 @@ Workspace& workspace() {
   return instance;
 }
 
-// p.a + w0 (p.b - p.a) + w1 (p.c - p.a) = q.a + w2 (q.b - q.a) + w3 (q.c - q.a) along one axis. A
-// constraint may be scaled by itself, so each axis has its own power of two.
+// Adds p.a + w0 (p.b - p.a) + w1 (p.c - p.a) = q.a + w2 (q.b - q.a) + w3 (q.c - q.a) along one
+// axis. A constraint may be scaled by itself, so each axis has its own power of two.
 void add_equal_points(Workspace& work, const Triangle& triangle_a, const Triangle& triangle_b,
                       int axis) {
   WholeScale scale;
@@ -77,7 +77,7 @@ void add_equal_points(Workspace& work, const Triangle& triangle_a, const Triangl
   work.program.right(row) = work.q.a - work.p.a;
 }
 
-// min <= p.a + w0 (p.b - p.a) + w1 (p.c - p.a) <= max along one axis.
+// Adds min <= p.a + w0 (p.b - p.a) + w1 (p.c - p.a) <= max along one axis.
 void add_point_in_slab(Workspace& work, const Triangle& triangle, const Aabb& box, int axis) {
   WholeScale scale;
   include(scale, triangle, axis);

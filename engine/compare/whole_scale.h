@@ -11,11 +11,11 @@ class WholeScale {
   /// Takes a value into account. Every value must be included before the first whole().
   void include(double value);
 
-  /// The value divided by the common power of two, exactly.
+  /// Returns the value divided by the common power of two, exactly.
   void whole(double value, mpz_class& result) const;
 
  private:
-  int exponent_ = 2000;  ///< so far; at first above that of every double
+  int exponent_ = 2000;  ///< the exponent so far; at first above that of every double
 };
 
 }  // namespace graze::compare

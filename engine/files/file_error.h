@@ -7,13 +7,13 @@
 
 namespace graze::files {
 
-/// A file that cannot be written: what() reads `file: cannot be written: why`.
+/// Is thrown for a file that cannot be written: what() reads `file: cannot be written: why`.
 class FileError : public Error {
  public:
   using Error::Error;
 };
 
-/// Throws it with the system's words for `error`, an errno.
+/// Throws FileError with the system's words for `error`, an errno.
 [[noreturn]] void fail_to_write(const std::filesystem::path& path, int error);
 
 }  // namespace graze::files

@@ -17,8 +17,8 @@ constexpr std::string_view kSeparators = " \t\n\r\v\f,";
   throw PoseError(place + ": " + why);
 }
 
-/// The fields of a line: runs of what is neither blank nor comma. A comma stands between two
-/// fields.
+/// Returns the fields of a line: runs of characters that are neither blanks nor commas. A comma
+/// stands between two fields.
 std::vector<std::string_view> split(std::string_view text, const std::string& place) {
   std::vector<std::string_view> fields;
   bool is_comma_open = true;  // a comma here would have no field before it

@@ -13,12 +13,13 @@
 namespace graze::files {
 namespace {
 
-/// Some file systems know no fsync(): what cannot be asked for is no failure.
+/// True if syncing failed. Some file systems know no fsync(), and there that is no failure.
 bool is_failure_to_sync(int error) {
   return error != EINVAL && error != ENOSYS && error != ENOTSUP && error != EROFS;
 }
 
-/// Best effort: the name of a file lies in its folder, and some folders cannot be opened.
+/// Syncs a folder, which holds the names of its files, as far as possible: some folders cannot be
+/// opened.
 void sync_folder(const std::filesystem::path& folder) {
   const int descriptor =
       open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);

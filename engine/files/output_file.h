@@ -12,10 +12,10 @@
 
 namespace graze::files {
 
-/// A file that is being written through a buffer. A regular file appears whole, in one step, at
-/// publish() or finish(); until then what was there before is as it was, and if neither is reached,
-/// it stays so. Links are followed and stay; pipes, terminals and devices are written through. All
-/// but append() within the buffer may throw FileError.
+/// Writes a file through a buffer. A regular file appears whole, in one step, at publish() or
+/// finish(); until then the file that was there before stays as it was, and if neither is reached,
+/// it stays for good. Links are followed and stay; pipes, terminals and devices are written
+/// through. All but append() within the buffer may throw FileError.
 class OutputFile {
  public:
   explicit OutputFile(const std::filesystem::path& path);
@@ -25,14 +25,14 @@ class OutputFile {
 
   void append(std::string_view bytes);
 
-  /// Hands what was appended to the system.
+  /// Hands the bytes that were appended to the system.
   void flush();
 
-  /// What was appended stands in the file, also after a crash; more can be appended, and stands in
-  /// it with each flush().
+  /// Makes the appended bytes stand in the file, also after a crash. More can be appended, and
+  /// stands in it with each flush().
   void publish();
 
-  /// The same, and closes the file.
+  /// Publishes the file and closes it.
   void finish();
 
  private:
@@ -41,9 +41,9 @@ class OutputFile {
   [[noreturn]] void fail(int error) const;
   void sync() const;
 
-  std::filesystem::path path_;  ///< as it was given, for messages
+  std::filesystem::path path_;  ///< the path as it was given, for messages
   OutputTarget target_;
-  std::optional<TemporaryFile> temporary_;  ///< until it has taken the place of the file
+  std::optional<TemporaryFile> temporary_;  ///< set until it has taken the place of the file
   int descriptor_ = -1;
   std::size_t size_ = 0;
   std::unique_ptr<std::array<char, kCapacity>> buffer_;

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// As many links as Linux follows.
+/// Linux follows as many links.
 constexpr int kMostLinks = 40;
 
 fs::path folder_of(const fs::path& path) {
@@ -24,13 +24,14 @@ fs::path folder_of(const fs::path& path) {
   return folder.empty() ? fs::path(".") : folder;
 }
 
-/// What a link there says is for people: opening it leads to what a process has open.
+/// True for a folder of processes: what a link there says is for people, and opening it leads to
+/// what a process has open.
 bool is_of_processes(const fs::path& folder) {
   struct statfs system = {};
   return statfs(folder.c_str(), &system) == 0 && system.f_type == PROC_SUPER_MAGIC;
 }
 
-/// The number of a descriptor of this process that the path names; -1 if it does not.
+/// Returns the number of the descriptor of this process that the path names; -1 if it names none.
 int own_descriptor(const fs::path& path) {
   std::error_code error;
   const fs::path folder = fs::canonical(folder_of(path), error);
@@ -44,7 +45,8 @@ int own_descriptor(const fs::path& path) {
   return end.ec == std::errc() && end.ptr == name.data() + name.size() ? number : -1;
 }
 
-/// In a folder such as /tmp a file of somebody else may be written, but not replaced.
+/// True if the file is another user's in a folder such as /tmp, where it may be written, but not
+/// replaced.
 bool is_another_users(const struct stat& file, const struct stat& folder) {
   const uid_t user = geteuid();
   return (folder.st_mode & S_ISVTX) != 0 && user != 0 && user != file.st_uid &&
@@ -82,7 +84,7 @@ OutputTarget find_output_target(const fs::path& given) {
     if (S_ISREG(status.st_mode)) {
       return {.kind = OutputTarget::Kind::Replaced, .path = path, .old = status};
     }
-    if (S_ISSOCK(status.st_mode)) fail_to_write(given, ENXIO);  // as open() would
+    if (S_ISSOCK(status.st_mode)) fail_to_write(given, ENXIO);  // open() would fail likewise
     if (!S_ISLNK(status.st_mode)) return {.kind = OutputTarget::Kind::Through, .path = path};
     const fs::path folder = folder_of(path);
     if (is_of_processes(folder)) return target_of_process(given, path);

@@ -7,26 +7,27 @@
 
 namespace graze::files {
 
-/// Where the bytes go that are written to a path.
+/// Says where the bytes go that are written to a path.
 struct OutputTarget {
   enum class Kind {
     Replaced,    ///< a regular file, or none yet: another one takes its place
     Through,     ///< a pipe, a terminal, a device: opened and written to
-    Descriptor,  ///< what this process has open already: /dev/stdout, /proc/self/fd/3
+    Descriptor,  ///< a descriptor that this process has open already: /dev/stdout, /proc/self/fd/3
   };
 
   Kind kind = Kind::Replaced;
-  std::filesystem::path path;           ///< with its last links followed
-  std::optional<struct stat> old = {};  ///< of Replaced: the file that is there
-  int descriptor = -1;                  ///< of Descriptor
+  std::filesystem::path path;           ///< the path with its last links followed
+  std::optional<struct stat> old = {};  ///< the file that is there, for Replaced
+  int descriptor = -1;                  ///< the descriptor, for Descriptor
 };
 
-/// Follows links, also one to a file that is not there. Throws FileError, naming `path`, for a
-/// folder, for links in a circle, and for a path that cannot be followed.
+/// Finds the target of a path. It follows links, also one to a file that is not there. Throws
+/// FileError, naming `path`, for a folder, for links in a circle, and for a path that cannot be
+/// followed.
 OutputTarget find_output_target(const std::filesystem::path& path);
 
-/// Throws FileError if it can be seen beforehand that the path cannot be written: before work that
-/// would be in vain. Opens and creates nothing.
+/// Throws FileError if it can be seen beforehand that the path cannot be written, before any work
+/// is done in vain. It opens and creates nothing.
 void check_output(const std::filesystem::path& path);
 
 }  // namespace graze::files

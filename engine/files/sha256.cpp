@@ -14,7 +14,7 @@ constexpr std::size_t kBlockBytes = 64;
 constexpr std::size_t kRounds = 64;
 
 /// The standard's constants are the first 32 bits of the fractions of roots of the first primes:
-/// found here in whole numbers, as the largest r with r^n <= p * 2^(32 n).
+/// they are found here in whole numbers, as the largest r with r^n <= p * 2^(32 n).
 Word fraction_of_root(unsigned prime, int degree) {
   __extension__ using Wide = unsigned __int128;
   std::uint64_t root = 0;
@@ -55,7 +55,7 @@ Word big_endian(const unsigned char* bytes) {
   return Word{bytes[0]} << 24 | Word{bytes[1]} << 16 | Word{bytes[2]} << 8 | Word{bytes[3]};
 }
 
-// FIPS 180-4, section 6.2.2, with its names.
+// This is FIPS 180-4, section 6.2.2, with its names.
 void absorb(std::array<Word, 8>& hash, const unsigned char* block) {
   std::array<Word, kRounds> w;
   for (std::size_t t = 0; t < 16; ++t)
@@ -88,7 +88,8 @@ std::string sha256_of(std::string_view bytes) {
   for (std::size_t at = 0; at < whole; at += kBlockBytes)
     absorb(hash, data + at);
 
-  // What is left, a one bit, zeros, and the length in bits as 64 bits, in one block or two.
+  // The tail holds what is left, a one bit, zeros, and the length in bits as 64 bits, in one block
+  // or two.
   std::array<unsigned char, 2 * kBlockBytes> tail{};
   const std::size_t left = bytes.size() - whole;
   for (std::size_t i = 0; i < left; ++i)

@@ -20,7 +20,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A handler may read a slot at any time: only while `state` is kNamed is its path whole.
+/// Holds a path for a handler, which may read a slot at any time: only while `state` is kNamed is
+/// the path whole.
 struct Slot {
   static constexpr int kFree = 0;
   static constexpr int kTaken = 1;
@@ -41,7 +42,7 @@ std::array<Slot, 16> slots;
   throw std::system_error(errno, std::generic_category());
 }
 
-/// A handler must find the file from wherever the program is then.
+/// Returns an absolute name: a handler must find the file from wherever the program is then.
 std::string absolute_name(const fs::path& path) {
   std::error_code ignored;
   const fs::path whole = fs::absolute(path, ignored);
@@ -75,7 +76,8 @@ std::string random_name() {
   return name.data();
 }
 
-/// The owner may be another one: then the file keeps ours, and no right to be run as its owner.
+/// Gives the file the owner and rights of the old one. If it cannot have that owner it keeps ours,
+/// and no right to be run as its owner.
 void adopt(int descriptor, const struct stat& old) {
   const bool is_adopted = fchown(descriptor, old.st_uid, old.st_gid) == 0;
   const mode_t mode = old.st_mode & (is_adopted ? 07777 : 0777);
@@ -89,7 +91,8 @@ TemporaryFile::TemporaryFile(const fs::path& target, const std::optional<struct 
   const fs::path folder = target.parent_path();
   while (descriptor_ < 0) {
     path_ = folder / random_name();
-    // Listed first: no moment is left in which a signal would find the file and not its name.
+    // The name is listed first: no moment is left in which a signal would find the file and not its
+    // name.
     slot_ = take_slot(path_);
     descriptor_ = open(path_.c_str(), kFlags, old ? 0600 : 0666);
     if (descriptor_ >= 0) break;

@@ -10,11 +10,11 @@
 
 namespace graze {
 
-/// How a recording ends, as far as it has been read.
+/// Says how a recording ends, as far as it has been read.
 enum class RecordingEnd : std::uint8_t {
   NotReached,  ///< there may be more
-  Complete,    ///< its writer has said that this is all
-  CutOff       ///< its writer has not come so far: it was killed, or writes still
+  Complete,    ///< its writer has said that there is no more
+  CutOff       ///< its writer did not come to the end: it was killed, or still writes
 };
 
 /// Reads a recording update by update, format version 1 (format.md), in one pass and with no more
@@ -22,33 +22,37 @@ enum class RecordingEnd : std::uint8_t {
 /// whole update; whatever is damaged is refused: each block has a checksum.
 class RecordingReader {
  public:
-  /// Reads the head and what the world was. Throws RecordingError, with file and byte, for what is
-  /// no recording, is of another version, is damaged, or ends before there is a world.
+  /// Reads the head and what the world was. Throws RecordingError, with file and byte, for a file
+  /// that is no recording, is of another version, is damaged, or ends before there is a world.
   explicit RecordingReader(const std::filesystem::path& file);
   /// Reads a recording from a stream; errors begin with `name`.
   RecordingReader(std::unique_ptr<std::istream> stream, std::string name);
   ~RecordingReader();
-  RecordingReader(RecordingReader&& other) noexcept;  ///< what was moved from can be destroyed or
-                                                      ///< assigned to
-  RecordingReader& operator=(RecordingReader&& other) noexcept;  ///< likewise
+  RecordingReader(RecordingReader&& other) noexcept;  ///< a reader that was moved from can be
+                                                      ///< destroyed or assigned to
+  RecordingReader& operator=(RecordingReader&& other) noexcept;  ///< a reader that was moved from
+                                                                 ///< can be destroyed or assigned
+                                                                 ///< to
 
-  /// What it says of itself.
+  /// Returns what the recording says of itself.
   const RecordingHead& head() const;
-  /// What the world was when the recording began.
+  /// Returns what the world was when the recording began.
   const RecordedState& start() const;
 
-  /// The next update, or nullptr at the end: end() then says which. Valid until the next call.
-  /// Throws RecordingError for what is damaged; after that every call does.
+  /// Reads the next update, or returns nullptr at the end: end() then says which. The update is
+  /// valid until the next call. Throws RecordingError for a damaged block; after that every call
+  /// does.
   const RecordedStep* next();
 
-  /// How it ended, if it has.
+  /// Returns how the recording ended, if it has.
   RecordingEnd end() const;
-  /// Bytes read so far: of one that is cut off, how many belong to whole blocks.
+  /// Returns how many bytes were read so far: for a recording that is cut off, how many belong to
+  /// whole blocks.
   std::uint64_t bytes() const;
 
-  /// How many shapes were read so far, and one of them: a Shape (BodyShape::shape()), a Compound
-  /// (compound_of()) or a map of voxels (voxel_map_of()). Throws InputError for a number that is
-  /// none.
+  /// Return how many shapes were read so far, and one of them: a Shape (BodyShape::shape()), a
+  /// Compound (compound_of()) or a map of voxels (voxel_map_of()). Throws InputError for a number
+  /// that is none.
   std::size_t shape_count() const;
   const std::shared_ptr<const BodyShape>& shape(std::uint32_t number) const;
 

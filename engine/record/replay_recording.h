@@ -9,35 +9,35 @@
 
 namespace graze {
 
-/// Where two runs part first.
+/// Says where two runs part first.
 struct RecordingDifference {
   std::size_t update = 0;             ///< counted from 0
   std::string what;                   ///< "begun", "contacts", "work", ...
-  std::optional<BodyPair> pair = {};  ///< that differs, where it is about one
-  std::string first;                  ///< what the first run said, in few words
-  std::string second;                 ///< what the second said
+  std::optional<BodyPair> pair = {};  ///< the pair that differs, where the difference is about one
+  std::string first;                  ///< a few words for what the first run said
+  std::string second;                 ///< a few words for what the second run said
 
   bool operator==(const RecordingDifference&) const = default;
 };
 
-/// The first of what differs in the answers to one update, in the order of the lists of
-/// RecordedAnswers and of the pairs in them; none if they are equal. Counters of work are compared
-/// if both have them.
+/// Returns the first difference in the answers to one update, in the order of the lists of
+/// RecordedAnswers and of the pairs in them, and nothing if they are equal. Counters of work are
+/// compared if both have them.
 std::optional<RecordingDifference> first_difference(std::size_t update,
                                                     const RecordedAnswers& first,
                                                     const RecordedAnswers& second);
 
-/// The same of what was done before an update: bodies that came and went, poses, settings. Shapes
-/// are compared by their numbers, which are equal for equal histories.
+/// Returns the first difference in what was done before an update: bodies that came and went,
+/// poses, settings. Shapes are compared by their numbers, which are equal for equal histories.
 std::optional<RecordingDifference> first_difference(std::size_t update,
                                                     const std::vector<RecordedChange>& first,
                                                     const std::vector<RecordedChange>& second);
 
-/// How a recording is repeated.
+/// Says how a recording is repeated.
 struct RecordingReplaySettings {
   int threads = 1;        ///< as WorldSettings has it; no answer depends on it
-  bool has_work = false;  ///< compares WorldWork, too: that of other versions differs
-  bool skips = true;      ///< false: a world that skips nothing (WorldSettings), slowly
+  bool has_work = false;  ///< true to compare WorldWork, too: that of other versions differs
+  bool skips = true;      ///< false for a world that skips nothing (WorldSettings), which is slow
 };
 
 /// Does to a world of its own what was done to the recorded one, update by update, and says where
@@ -48,22 +48,25 @@ class RecordingReplay {
   /// throws that is made.
   explicit RecordingReplay(RecordingReader reader, const RecordingReplaySettings& settings = {});
   ~RecordingReplay();
-  RecordingReplay(RecordingReplay&& other) noexcept;             ///< as its reader
-  RecordingReplay& operator=(RecordingReplay&& other) noexcept;  ///< likewise
+  RecordingReplay(RecordingReplay&& other) noexcept;  ///< what was moved from can be destroyed or
+                                                      ///< assigned to, as with its reader
+  RecordingReplay& operator=(RecordingReplay&& other) noexcept;  ///< what was moved from can be
+                                                                 ///< destroyed or assigned to, as
+                                                                 ///< with its reader
 
   /// Repeats the next update. False at the end of the recording. Throws as the reader and the world
   /// do; RecordingError, too, where the world gives a body another id than it had.
   bool advance();
 
-  /// The update that was repeated last, as it was recorded.
+  /// Returns the update that was repeated last, as it was recorded.
   const RecordedStep& step() const;
-  /// What differed in it: what was recorded first, what is now second.
+  /// Returns what differed in it: `first` is what was recorded, `second` what the world says now.
   const std::optional<RecordingDifference>& difference() const;
-  /// All that the world says to it now. Valid until the next call of advance().
+  /// Returns all that the world says to it now. Valid until the next call of advance().
   const WorldUpdate& update() const;
-  /// The world after it.
+  /// Returns the world after it.
   const World& world() const;
-  /// To look up shapes, and how the recording ended.
+  /// Returns the reader, to look up shapes, and how the recording ended.
   const RecordingReader& reader() const;
 
  private:

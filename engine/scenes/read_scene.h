@@ -9,25 +9,26 @@
 
 namespace graze {
 
-/// What reading needs to know beside the file.
+/// Holds what reading needs to know beside the file.
 struct ReadSceneSettings {
-  /// Where the meshes lie that a scene names by file. Empty: in the folder of the scene.
+  /// The folder of the meshes that a scene names by file; if it is empty, that is the folder of the
+  /// scene.
   std::filesystem::path mesh_folder = {};
 };
 
 /// Reads a scene, format version 1 (data/README.md, data/scene.schema.json). Throws SceneError
-/// `file:line: /place: why` for what is no scene: unknown and repeated keys, wrong types, numbers
+/// `file:line: /place: why` for an invalid scene: unknown and repeated keys, wrong types, numbers
 /// that are not finite, names that stand twice or for nothing, poses that are not rigid, shapes
 /// that the library refuses, files that are missing or outside of the folder. A scene refers to
 /// mesh files and its own shapes alone, so that there are no circles; each file is loaded once.
-/// Linear time and memory, but for hulls, which may have kMaxHullPoints points each.
+/// Takes linear time and memory, but for hulls, which may have kMaxHullPoints points each.
 Scene read_scene(const std::filesystem::path& path, const ReadSceneSettings& settings = {});
 
 /// Reads a scene from memory as read_scene() does from a file; errors begin with `name`.
 Scene parse_scene(std::string_view bytes, const std::string& name,
                   const ReadSceneSettings& settings = {});
 
-/// How many steps a scene may ask for at most.
+/// The most steps that a scene may ask for.
 inline constexpr std::size_t kMaxSceneSteps = 10'000'000;
 
 }  // namespace graze

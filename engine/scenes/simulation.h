@@ -8,14 +8,14 @@
 
 namespace graze {
 
-/// How a Simulation goes on.
+/// Says how a Simulation goes on.
 struct SimulationSettings {
-  double step = 0;           ///< seconds; 0: as the scene says
-  WorldSettings world = {};  ///< of the world that it makes
+  double step = 0;           ///< seconds; with 0 the scene's own step is taken
+  WorldSettings world = {};  ///< the settings of the world that it makes
 };
 
-/// A scene in a world, and the clock that moves it. A body's index in the world is its index in the
-/// scene.
+/// Holds a scene in a world, and the clock that moves it. A body's index in the world is its index
+/// in the scene.
 class Simulation {
  public:
   /// Throws what World::add() throws, and InputError for a step that is negative or not finite, and
@@ -23,21 +23,22 @@ class Simulation {
   /// this.
   explicit Simulation(const Scene& scene, const SimulationSettings& settings = {});
 
-  /// The first call brings the world to time 0, each later one a step further: it moves the bodies
-  /// that have paths, and updates. Those that are swept go from pose to pose as World::move() says:
-  /// a key between two steps is a corner that they cut. Throws PoseError that names body and time
-  /// if a path leads beyond what a world can hold. After whatever is thrown the clock stands, and
-  /// the next call takes the same step. The spans are valid until the next call.
+  /// Moves the bodies that have paths, and updates the world. The first call brings it to time 0,
+  /// each later one a step further. Bodies that are swept go from pose to pose as World::move()
+  /// says: a key between two steps is a corner that they cut. Throws PoseError that names body and
+  /// time if a path leads beyond what a world can hold. After whatever is thrown the clock stands,
+  /// and the next call takes the same step. The spans are valid until the next call.
   WorldUpdate advance();
 
-  /// Of the last advance(): how many steps from time 0, and the time, the product, rounded once.
+  /// Return how many steps the last advance() was from time 0, and its time: the product, rounded
+  /// once.
   std::size_t steps() const { return count_ == 0 ? 0 : count_ - 1; }
   double time() const { return time_of(steps()); }
   double time_of(std::size_t steps) const { return static_cast<double>(steps) * step_; }
 
-  /// The world that it moves.
+  /// Returns the world that it moves.
   const World& world() const { return world_; }
-  /// The same for who records it. Its bodies are this object's to move.
+  /// Returns the world for those who record it. Its bodies are this object's to move.
   World& world() { return world_; }
 
  private:
@@ -47,7 +48,7 @@ class Simulation {
   double step_;
   World world_;
   std::vector<BodyId> ids_;
-  std::size_t count_ = 0;  ///< calls of advance()
+  std::size_t count_ = 0;  ///< the number of calls of advance()
 };
 
 /// Throws PoseError, naming body and time, if a path leads beyond what a world can hold before

@@ -12,12 +12,12 @@ namespace {
 using Kind = CommonPoint::Kind;
 using Corners3 = double[3][3];
 
-/// The point of an edge, from + (to - from) * ratio, at which it meets what is named: the plane of
-/// a triangle, or the line of an edge in the same plane.
+/// Names the point of an edge, from + (to - from) * ratio, at which it meets another thing: the
+/// plane of a triangle, or the line of an edge in the same plane.
 struct EdgePoint {
   const double* from;
   const double* to;
-  const double* other[3];  // two of them for an edge
+  const double* other[3];  // the triangle's corners, or the first two for an edge
   enum class Through { Plane, Line } through;
 };
 
@@ -36,7 +36,7 @@ EdgePoint edge_point_of(const CommonPoint& point, const OrderedTriangles& t) {
           EdgePoint::Through::Line};
 }
 
-/// Component `axis` of a cross product.
+/// Returns component `axis` of a cross product.
 template <typename Vector>
 auto cross_component(const Vector& a, const Vector& b, int axis) {
   if (axis == 0) return a.y * b.z - a.z * b.y;
@@ -50,8 +50,8 @@ struct Ratio {
   Number denominator;
 };
 
-/// Where the edge meets the plane: h_from / (h_from - h_to), heights of opposite signs. Degree
-/// three.
+/// Returns where the edge meets the plane: h_from / (h_from - h_to), with heights of opposite
+/// signs. It is of degree three.
 template <typename Minus>
 auto ratio_through_plane(const EdgePoint& c, const Minus& minus) {
   const auto normal = cross(minus(c.other[1], c.other[0]), minus(c.other[2], c.other[0]));
@@ -60,7 +60,8 @@ auto ratio_through_plane(const EdgePoint& c, const Minus& minus) {
   return Ratio<decltype(from - to)>{from, from - to};
 }
 
-/// Where it meets the line, in the projection along `axis`: (w x v) / (u x v). Degree two.
+/// Returns where it meets the line, in the projection along `axis`: (w x v) / (u x v). It is of
+/// degree two.
 template <typename Minus>
 auto ratio_through_line(const EdgePoint& c, int axis, const Minus& minus) {
   const auto v = minus(c.other[1], c.other[0]);
@@ -73,7 +74,7 @@ double size_of(const double* a, const double* b) {
   return std::max(std::abs(a[0] - b[0]), std::max(std::abs(a[1] - b[1]), std::abs(a[2] - b[2])));
 }
 
-/// The axis along which the two edges are least parallel.
+/// Returns the axis along which the two edges are least parallel.
 int crossing_axis(const EdgePoint& c) {
   int best = 0;
   double best_area = -1;
@@ -132,7 +133,7 @@ CommonUnit common_unit(const EdgePoint& c) {
   return unit;
 }
 
-/// The projection along this axis shows the crossing.
+/// Returns an axis along which the projection shows the crossing.
 int exact_crossing_axis(const EdgePoint& c, const CommonUnit& unit) {
   const BigVector normal = cross(BigVector::difference(c.to, c.from, unit),
                                  BigVector::difference(c.other[1], c.other[0], unit));

@@ -12,7 +12,7 @@ namespace {
 
 using Kind = CommonPoint::Kind;
 
-/// A simplex, and the sides of the other one's plane that its vertices lie on.
+/// Holds a simplex, and the sides of the other one's plane that its vertices lie on.
 struct Side {
   Simplex simplex;
   Sign sign[3] = {Sign::Zero, Sign::Zero, Sign::Zero};
@@ -20,7 +20,7 @@ struct Side {
   bool is_off_plane() const {
     return sign[0] != Sign::Zero && sign[0] == sign[1] && sign[1] == sign[2];
   }
-  /// Whether the closed edge shares a point with the other's plane.
+  /// True if the closed edge shares a point with the other's plane.
   bool meets_plane(int edge) const {
     const Sign from = sign[kEdges[edge][0]];
     return from == Sign::Zero || from != sign[kEdges[edge][1]];
@@ -38,7 +38,7 @@ void find_sides(Side& side, const Simplex& plane) {
   }
 }
 
-/// An edge that crosses the plane of a triangle passes through its inside.
+/// True if an edge that crosses the plane of a triangle passes through its inside.
 bool passes_inside(const Simplex& line, int edge, const Simplex& triangle) {
   const double* p = line.edge_start(edge);
   const double* q = line.edge_end(edge);
@@ -52,9 +52,9 @@ bool are_opposite(Sign s, Sign t) {
   return s != Sign::Zero && s == -t;
 }
 
-/// The insides of two edges share one point and the edges are not parallel. Four points in one
-/// plane: where a projection shows a crossing, it is one to one on that plane; where the edges
-/// cross, some projection shows it.
+/// True if the insides of two edges share one point and the edges are not parallel. The four points
+/// are then in one plane: where a projection shows a crossing, it is one to one on that plane;
+/// where the edges cross, some projection shows it.
 bool edges_cross(const double* a0, const double* a1, const double* b0, const double* b1) {
   if (orientation_3d(a0, a1, b0, b1) != Sign::Zero) return false;
   for (int axis = 0; axis < 3; ++axis) {
@@ -115,8 +115,8 @@ bool share_an_edge(const CommonPoint& p, const CommonPoint& q) {
   return (p.edges_a & q.edges_a) != 0 || (p.edges_b & q.edges_b) != 0;
 }
 
-/// Each edge of the polygon lies on an edge of A or of B, and no such edge holds three corners: two
-/// corners are neighbours if and only if they share one.
+/// Sorts the corners around the polygon. Each edge of it lies on an edge of A or of B, and no such
+/// edge holds three corners: two corners are neighbours if and only if they share one.
 void sort_around(CommonPoints& points) {
   for (int i = 1; i + 1 < points.count; ++i) {
     for (int j = i; j < points.count; ++j) {

@@ -1,10 +1,10 @@
 #pragma once
 
-// Numbers of twice the precision of double, as unevaluated sums of two. Joldes, Muller and Popescu,
-// "Tight and rigorous error bounds for basic building blocks of double-word arithmetic", ACM
-// Transactions on Mathematical Software 44(2), 2017: AccurateDWPlusDW is off by 3 u^2 (1 + 5 u),
-// DWTimesDW1 by 7 u^2, relative to the result, u = 2^-53, while nothing overflows and no error term
-// underflows: the caller's duty.
+// This file holds numbers of twice the precision of double, as unevaluated sums of two. Joldes,
+// Muller and Popescu, "Tight and rigorous error bounds for basic building blocks of double-word
+// arithmetic", ACM Transactions on Mathematical Software 44(2), 2017: AccurateDWPlusDW is off by 3
+// u^2 (1 + 5 u), DWTimesDW1 by 7 u^2, relative to the result, u = 2^-53, while nothing overflows
+// and no error term underflows, which the caller makes sure of.
 
 #include <graze/narrowphase/predicates/big_integer.h>
 #include <graze/narrowphase/predicates/expansion.h>
@@ -12,7 +12,7 @@
 
 namespace graze::narrowphase {
 
-/// More than what one sum, product or quotient below is off by, relative to its result.
+/// A bound of what one sum, product or quotient below is off by, relative to its result.
 inline constexpr double kPairRoundoff = 0x1p-101;
 
 struct DoublePair {
@@ -20,7 +20,7 @@ struct DoublePair {
   double low;
 };
 
-/// Dekker's sum of a and a b that is no larger.
+/// Returns Dekker's sum of a and a b that is no larger.
 inline DoublePair ordered_sum(double a, double b) {
   const double sum = a + b;
   return {sum, b - (sum - a)};
@@ -57,15 +57,15 @@ inline DoublePair operator*(const DoublePair& a, double b) {
   return ordered_sum(product.value, product.error + a.low * b);
 }
 
-/// Two steps of long division. The first remainder is off by less than 11 u^2 of a, from its
-/// product and its difference; the second quotient by 2 u of a remainder that is 4 u of a.
+/// Divides in two steps of long division. The first remainder is off by less than 11 u^2 of a, from
+/// its product and its difference; the second quotient by 2 u of a remainder that is 4 u of a.
 inline DoublePair operator/(const DoublePair& a, const DoublePair& b) {
   const double first = a.high / b.high;
   const DoublePair remainder = a - b * first;
   return ordered_sum(first, remainder.high / b.high);
 }
 
-/// The square root of a positive number, rounded: off by half an ulp and a little.
+/// Returns the square root of a positive number, rounded: off by half an ulp and a little.
 inline double rounded_root(const DoublePair& square) {
   const double root = std::sqrt(square.high);
   const RoundedPair again = two_product(root, root);
@@ -73,7 +73,7 @@ inline double rounded_root(const DoublePair& square) {
   return root + remainder / (2 * root);
 }
 
-/// base + offset, rounded once and a little.
+/// Returns base + offset, off by half an ulp and a little.
 inline double rounded_sum(double base, const DoublePair& offset) {
   const RoundedPair sum = two_sum(base, offset.high);
   return sum.value + (sum.error + offset.low);
@@ -115,13 +115,15 @@ inline double largest_component(const PairVector& a) {
   return std::fmax(std::abs(a.x.high), std::fmax(std::abs(a.y.high), std::abs(a.z.high)));
 }
 
-// From integers back to doubles, with one rounding. `exponent` scales by a power of two.
+// The functions below take integers back to doubles, with one rounding. `exponent` scales by a
+// power of two.
 
 /// numerator / denominator * 2^exponent, off by at most 0.51 ulp; infinite if it overflows. The
 /// denominator is positive.
 double rounded_ratio(const BigInteger& numerator, const BigInteger& denominator, int exponent);
 
-/// The square root of numerator / denominator, times 2^exponent, likewise; both are positive.
+/// The square root of numerator / denominator, times 2^exponent, off by as little; both are
+/// positive.
 double rounded_root_of_ratio(const BigInteger& numerator, const BigInteger& denominator,
                              int exponent);
 

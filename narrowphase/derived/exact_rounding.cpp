@@ -8,14 +8,15 @@ namespace {
 
 __extension__ using Wide = unsigned __int128;
 
-/// A positive number bits * 2^exponent, bits at least 2^61.
+/// The positive number bits * 2^exponent, with bits at least 2^61.
 struct Quotient {
   std::uint64_t bits;
   int exponent;
 };
 
-/// Off by less than 2^-60 of itself: with N >= 2^127 and D >= 2^63, N / 4 and D truncated are off
-/// by 2^-125 and 2^-63 of themselves, their quotient, at least 2^61, by another 1.
+/// Returns a quotient that is off by less than 2^-60 of itself: with N >= 2^127 and D >= 2^63, N /
+/// 4 and D truncated are off by 2^-125 and 2^-63 of themselves, their quotient, at least 2^61, by
+/// another 1.
 Quotient quotient(const BigInteger& numerator, const BigInteger& denominator) {
   const BigInteger::Leading n = numerator.leading();
   const BigInteger::Leading d = denominator.leading();
@@ -28,8 +29,8 @@ Quotient quotient(const BigInteger& numerator, const BigInteger& denominator) {
 double rounded_ratio(const BigInteger& numerator, const BigInteger& denominator, int exponent) {
   if (numerator.sign() == Sign::Zero) return 0;
   const Quotient q = quotient(numerator, denominator);
-  // Where the result is denormal, the last bits go to a second rounding, of half an ulp as well: it
-  // is avoided by rounding once to what fits, with a bit that remembers the rest.
+  // Where the result is denormal, a second rounding, of half an ulp as well, would take the last
+  // bits. It is avoided by rounding once to what fits, with a bit that remembers the rest.
   const int scale = q.exponent + exponent;
   std::uint64_t bits = q.bits;
   int dropped = 0;

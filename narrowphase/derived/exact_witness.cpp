@@ -22,7 +22,7 @@ class Rounding {
     return BigVector::difference(a, b, unit_);
   }
 
-  /// base + vector * numerator / denominator
+  /// Returns base + vector * numerator / denominator.
   std::array<double, 3> point(const double* base, const BigVector& vector,
                               const BigInteger& numerator, const BigInteger& denominator) const {
     const BigInteger* component[3] = {&vector.x, &vector.y, &vector.z};
@@ -34,7 +34,7 @@ class Rounding {
     return rounded;
   }
 
-  /// The root of square / denominator, which is not 0 even where it rounds to 0.
+  /// Returns the root of square / denominator, which is not 0 even where it rounds to 0.
   double distance(const BigInteger& square, const BigInteger& denominator) const {
     return std::max(rounded_root_of_ratio(square, denominator, unit_.exponent()),
                     std::numeric_limits<double>::denorm_min());
@@ -53,7 +53,7 @@ Witness between_vertices(const Rounding& rounding, const double* p, const double
   return {rounding.distance(squared(rounding.minus(q, p)), one), as_array(p), as_array(q)};
 }
 
-/// Foot at (w.e) / (e.e) along the edge, distance |w x e| / |e|.
+/// The foot is at (w.e) / (e.e) along the edge, and the distance is |w x e| / |e|.
 Witness to_edge(const Rounding& rounding, const double* p, const Corners3& y, int edge) {
   const double* start = y[kEdges[edge][0]];
   const BigVector e = rounding.minus(y[kEdges[edge][1]], start);
@@ -63,7 +63,7 @@ Witness to_edge(const Rounding& rounding, const double* p, const Corners3& y, in
           rounding.point(start, e, dot(w, e), ee)};
 }
 
-/// Height h = w.n, distance |h| / |n|, foot p - n h / (n.n).
+/// With the height h = w.n, the distance is |h| / |n|, and the foot p - n h / (n.n).
 Witness to_face(const Rounding& rounding, const double* p, const Corners3& y) {
   const BigVector n = cross(rounding.minus(y[1], y[0]), rounding.minus(y[2], y[0]));
   const BigInteger down = dot(rounding.minus(y[0], p), n);
@@ -71,7 +71,7 @@ Witness to_face(const Rounding& rounding, const double* p, const Corners3& y) {
   return {rounding.distance(squared(down), nn), as_array(p), rounding.point(p, n, down, nn)};
 }
 
-/// As in optimality.h; the distance is |w.n| / |n|.
+/// The nearest points are as in optimality.h; the distance is |w.n| / |n|.
 Witness between_edges(const Rounding& rounding, const OrderedTriangles& t, int edge_a, int edge_b) {
   const double* start_a = t.a[kEdges[edge_a][0]];
   const double* start_b = t.b[kEdges[edge_b][0]];

@@ -48,7 +48,8 @@ bool are_nearest(const Proof& proof, const OrderedTriangles& t, const FeaturePai
   return are_nearest_edges(proof, t.a, pair.index_a, t.b, pair.index_b);
 }
 
-/// Some pair of nearest points lies in these: the corners of the set of all such pairs do.
+/// Asks each pair of features that may hold a pair of nearest points: the corners of the set of all
+/// such pairs do.
 template <typename OnPair>
 bool any_feature_pair(OnPair&& on_pair) {
   for (int i = 0; i < 3; ++i) {

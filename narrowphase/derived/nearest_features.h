@@ -6,8 +6,8 @@
 
 namespace graze::narrowphase {
 
-/// Features of two triangles that hold their nearest points: vertices and edges by number, edges as
-/// in simplex.h. A face goes with a vertex.
+/// Names features of two triangles that hold their nearest points: vertices and edges by number,
+/// edges as in simplex.h. A face goes with a vertex.
 struct FeaturePair {
   Feature kind_a;
   int index_a;
@@ -15,14 +15,15 @@ struct FeaturePair {
   int index_b;
 };
 
-/// Which features look nearest to rounded arithmetic: any answer is possible, most are right.
+/// Returns the features that look nearest to rounded arithmetic: any answer is possible, most are
+/// right.
 FeaturePair guess_nearest(const OrderedTriangles& triangles);
 
-/// Features that rounded arithmetic with bounds proves to hold the only pair of nearest points.
-/// Empty when that is not sure, as when the triangles meet.
+/// Returns features that rounded arithmetic with bounds proves to hold the only pair of nearest
+/// points, and nothing when that is not sure, as when the triangles meet.
 std::optional<FeaturePair> find_surely_nearest(const OrderedTriangles& triangles);
 
-/// Features that hold a pair of nearest points, exactly. The triangles must not meet.
+/// Returns features that hold a pair of nearest points, exactly. The triangles must not meet.
 FeaturePair find_nearest_exactly(const OrderedTriangles& triangles);
 
 }  // namespace graze::narrowphase

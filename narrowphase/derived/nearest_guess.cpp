@@ -32,14 +32,14 @@ double clamped(double s) {
   return above < 1 ? above : 1;
 }
 
-/// The feature of an edge at parameter s: one of its ends, or its inside.
+/// Sets the feature of an edge at parameter s: one of its ends, or its inside.
 void set_feature(Feature& kind, int& index, int edge, double s) {
   kind = s > 0 && s < 1 ? Feature::Edge : Feature::Vertex;
   index = kind == Feature::Edge ? edge : kEdges[edge][s > 0];
 }
 
-/// The edges of a triangle, component by component: loops over four of them, the last one twice,
-/// become vectors.
+/// Holds the edges of a triangle, component by component: loops over four of them, the last one
+/// twice, become vectors.
 struct Edges {
   explicit Edges(const double (&corners)[3][3]) {
     for (int i = 0; i < 4; ++i) {
@@ -61,8 +61,8 @@ struct Edges {
   double inverse[4];
 };
 
-/// Nearest points of edge i of A and each edge of B: |w + t v - s u| is least for s and t from 0 to
-/// 1.
+/// Holds the nearest points of edge i of A and each edge of B: |w + t v - s u| is least for s and t
+/// from 0 to 1.
 struct Nearest {
   double squared[4];
   double s[4];
@@ -111,8 +111,8 @@ FeaturePair try_edges(const OrderedTriangles& triangles) {
   return best;
 }
 
-/// The vertex of x that is nearest to the plane of y, if all are on one side of it and it is above
-/// the inside of y: its number, else -1.
+/// Returns the number of the vertex of x that is nearest to the plane of y, if all are on one side
+/// of it and it is above the inside of y, and else -1.
 int try_face(const double (&x)[3][3], const double (&y)[3][3]) {
   const Vector normal = cross(difference(y[1], y[0]), difference(y[2], y[0]));
   double height[3];

@@ -20,7 +20,7 @@ constexpr double kLongestRoot = 0x1p+90;
 
 constexpr double kShareOfHalfAnUlp = 1 - 0x1p-20;
 
-/// Whether the distance of p and q is nearer to `root` than to what is halfway to its neighbours.
+/// True if the distance of p and q is nearer to `root` than to what is halfway to its neighbours.
 bool is_surely_rounded_to(double root, const double* p, const double* q) {
   if (!(root >= kShortestRoot && root <= kLongestRoot)) return false;
   const PairVector offset = PairVector::difference(q, p);
@@ -31,7 +31,7 @@ bool is_surely_rounded_to(double root, const double* p, const double* q) {
   return std::abs(excess) < kShareOfHalfAnUlp * (2 * root * half_an_ulp);
 }
 
-/// The corner of a triangle that is this point, or 3.
+/// Returns the number of the corner of a triangle that is this point, or 3.
 int corner_at(const double* const (&corners)[3], const double* point) {
   int i = 0;
   while (i < 3 &&

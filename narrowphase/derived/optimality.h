@@ -2,7 +2,7 @@
 
 // When are points of two features nearest? For convex sets: p of A and q of B are, if and only if A
 // lies behind the plane through p, and B beyond the plane through q, whose normal is q - p. For
-// triangles that is a claim about their vertices, and each claim the sign of a product of
+// triangles these are claims about their vertices, and each claim is the sign of a product of
 // differences. Each function below takes the claims one by one to a `Proof`, whose holds_* answer
 // "not negative", either exactly or only where surely positive. Two triangles x and y that do not
 // meet, corners in ascending order.
@@ -15,7 +15,8 @@ namespace graze::narrowphase {
 
 using TriangleCorners = double[3][3];
 
-/// Vertices p and q: no other vertex of x is further along q - p, none of y less far.
+/// True if no vertex of x is further along q - p than vertex p, and none of y is less far along it
+/// than vertex q.
 template <typename Proof>
 bool are_nearest_vertices(const Proof& proof, const TriangleCorners& x, int i,
                           const TriangleCorners& y, int j) {
@@ -27,8 +28,9 @@ bool are_nearest_vertices(const Proof& proof, const TriangleCorners& x, int i,
   return true;
 }
 
-/// Vertex p of x and its foot on edge e of y: with w from the edge's start to p, the step from p to
-/// the foot is (w.e) e - (e.e) w, times something positive, and v . that is (w x e) . (e x v).
+/// True if vertex p of x and its foot on edge e of y are nearest: with w from the edge's start to
+/// p, the step from p to the foot is (w.e) e - (e.e) w, times something positive, and v . that is
+/// (w x e) . (e x v).
 template <typename Proof>
 bool are_nearest_vertex_and_edge(const Proof& proof, const TriangleCorners& x, int i,
                                  const TriangleCorners& y, int edge) {
@@ -44,8 +46,8 @@ bool are_nearest_vertex_and_edge(const Proof& proof, const TriangleCorners& x, i
   return proof.holds_cross_products(w, e, e, {e.from, opposite});
 }
 
-/// Vertex p of x and its foot on the face of y: the rest of x lies beyond p, as seen from the
-/// plane, and p above the inside of each edge.
+/// True if vertex p of x and its foot on the face of y are nearest: the rest of x lies beyond p, as
+/// seen from the plane, and p is above the inside of each edge.
 template <typename Proof>
 bool are_nearest_vertex_and_face(const Proof& proof, const TriangleCorners& x, int i,
                                  const TriangleCorners& y) {
@@ -65,9 +67,9 @@ bool are_nearest_vertex_and_face(const Proof& proof, const TriangleCorners& x, i
   return true;
 }
 
-/// Insides of two edges, which are not parallel: the step between them is along their cross product
-/// n = u x v. With w from the start of u to that of v, the nearest points of the lines are at (w x
-/// v) . n / n^2 along u and at (w x u) . n / n^2 along v.
+/// True if points inside two edges, which are not parallel, are nearest: the step between them is
+/// along their cross product n = u x v. With w from the start of u to that of v, the nearest points
+/// of the lines are at (w x v) . n / n^2 along u and at (w x u) . n / n^2 along v.
 template <typename Proof>
 bool are_nearest_edges(const Proof& proof, const TriangleCorners& x, int edge_x,
                        const TriangleCorners& y, int edge_y) {

@@ -13,8 +13,8 @@
 namespace graze::narrowphase {
 namespace {
 
-/// A claim about the triangle holds where its sign is surely positive. One about the other corners
-/// of the point, of which it has but one, holds by itself: its step has no length.
+/// A claim about the triangle holds where its sign is surely positive. A claim about other corners
+/// of the point holds by itself: the point has but one corner, and the step has no length.
 class PointProof {
  public:
   explicit PointProof(const TriangleCorners& point) : point_(point) {}
@@ -44,8 +44,8 @@ struct Guess {
   int index;
 };
 
-/// Ericson, "Real-Time Collision Detection" (2005), 5.1.5, on corners b in ascending order. Any
-/// answer is possible, most are right.
+/// Guesses as Ericson, "Real-Time Collision Detection" (2005), 5.1.5, does, on corners b in
+/// ascending order. Any answer is possible, most are right.
 Guess guess_nearest(const double* p, const TriangleCorners& y) {
   double ab[3], ac[3], ap[3];
   for (int k = 0; k < 3; ++k)

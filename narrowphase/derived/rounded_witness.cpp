@@ -55,7 +55,7 @@ std::optional<Witness> between_vertices(const double* p, const double* q) {
   return witness(PairVector::difference(q, p), as_array(p), as_array(q));
 }
 
-/// Vertex p, and its foot on edge e, which is named second.
+/// Returns vertex p and its foot on edge e, which is named second.
 std::optional<Witness> to_edge(const double* p, const Corners3& y, int edge) {
   const double* start = y[kEdges[edge][0]];
   const PairVector e = PairVector::difference(y[kEdges[edge][1]], start);

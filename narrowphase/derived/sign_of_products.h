@@ -1,7 +1,8 @@
 #pragma once
 
-// Signs of products of differences of points: what decides which features of two triangles are
-// nearest. Exact for all finite doubles; the filters alone answer nothing when they are not sure.
+// Finds signs of products of differences of points, which decide which features of two triangles
+// are nearest. They are exact for all finite doubles; the filters alone answer nothing when they
+// are not sure.
 
 #include <graze/narrowphase/predicates/predicates.h>
 #include <optional>
@@ -19,11 +20,11 @@ constexpr Step operator-(Step step) {
   return {step.to, step.from};
 }
 
-/// The sign of p . q.
+/// Return the sign of p . q.
 std::optional<Sign> dot_filter(Step p, Step q);
 Sign sign_of_dot(Step p, Step q);
 
-/// The sign of (p x q) . r.
+/// Return the sign of (p x q) . r.
 std::optional<Sign> triple_filter(Step p, Step q, Step r);
 Sign sign_of_triple(Step p, Step q, Step r);
 
@@ -32,15 +33,15 @@ struct RoundedTriple {
   double value;
   double bound;
 };
-/// (p x q) . r and (p x q) . s.
+/// Returns (p x q) . r and (p x q) . s.
 std::pair<RoundedTriple, RoundedTriple> rounded_triples(Step p, Step q, Step r, Step s);
 
-/// What such a product is off by at most if no component of p and r is larger than that; infinite
-/// where nothing is known.
+/// Returns a bound of what such a product is off by if no component of p and r is larger than that;
+/// infinite where nothing is known.
 double triple_bound(double largest_of_p, Step q, double largest_of_r);
 double triple_bound(double largest_of_p, double largest_of_q, double largest_of_r);
 
-/// The sign of (p x q) . (r x s).
+/// Return the sign of (p x q) . (r x s).
 std::optional<Sign> crosses_filter(Step p, Step q, Step r, Step s);
 Sign sign_of_cross_products(Step p, Step q, Step r, Step s);
 

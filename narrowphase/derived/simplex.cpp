@@ -44,7 +44,7 @@ bool are_equal(const double* p, const double* q) {
   return p[0] == q[0] && p[1] == q[1] && p[2] == q[2];
 }
 
-/// A point on the line of a segment lies in it if it lies in its box.
+/// True if a point on the line of a segment lies in it, which it does if it lies in its box.
 bool is_on_segment(const double* point, const double* from, const double* to) {
   for (int axis = 0; axis < 3; ++axis) {
     if (point[axis] < std::min(from[axis], to[axis])) return false;

@@ -13,7 +13,7 @@ Eigen::Vector3d as_vector(const std::array<double, 3>& p) {
   return {p[0], p[1], p[2]};
 }
 
-/// Back in the order in which the triangles were given.
+/// Returns the result in the order in which the triangles were given.
 TriangleDistance result_of(const OrderedTriangles& t, const Witness& witness, Feature feature_a,
                            Feature feature_b) {
   TriangleDistance result{witness.distance, as_vector(witness.point_a), as_vector(witness.point_b),

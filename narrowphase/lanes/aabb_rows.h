@@ -7,8 +7,8 @@
 
 namespace graze::narrowphase {
 
-/// Boxes, coordinate by coordinate: rows x, y, z of min, of max, all of one length. A view: the
-/// caller keeps the memory.
+/// Holds boxes coordinate by coordinate: rows x, y, z of min, of max, all of one length. A view:
+/// the caller keeps the memory.
 struct AabbRows {
   std::array<const double*, 6> row;
   std::size_t size;

@@ -1,5 +1,5 @@
-// What the kernels on rows of doubles share: vectors of lanes, and how they are loaded. Included
-// once for each SIMD target, in the manner of <hwy/highway.h> itself.
+// This file holds what the kernels on rows of doubles share: vectors of lanes, and how they are
+// loaded. It is included once for each SIMD target, in the manner of <hwy/highway.h> itself.
 
 #if defined(GRAZE_NARROWPHASE_ROW_LANES) == defined(HWY_TARGET_TOGGLE)
 #ifdef GRAZE_NARROWPHASE_ROW_LANES
@@ -17,7 +17,8 @@ namespace graze::narrowphase::HWY_NAMESPACE {
 namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
-inline constexpr std::size_t kAtOnce = 8;  ///< elements whose verdicts are written at once
+inline constexpr std::size_t kAtOnce = 8;  ///< the number of elements whose verdicts are written at
+                                           ///< once
 using Tag = hn::CappedTag<double, kAtOnce>;
 using Lanes = hn::Vec<Tag>;
 using Mask = hn::Mask<Tag>;
@@ -45,14 +46,14 @@ HWY_INLINE Vector chosen(Mask mask, const Vector& a, const Vector& b) {
           hn::IfThenElse(mask, a.z, b.z)};
 }
 
-/// A mask as bits: bit i is set if lane i is.
+/// Returns a mask as bits: bit i is set if lane i is.
 HWY_INLINE std::uint32_t bits_of(Mask mask) {
   std::uint8_t bits[8] = {};  // Highway may write eight bytes
   hn::StoreMaskBits(Tag(), mask, bits);
   return bits[0];
 }
 
-/// One element, the same in every lane.
+/// One element, copied to every lane.
 template <std::size_t N>
 struct One {
   double values[N];
@@ -63,7 +64,7 @@ struct One {
   HWY_INLINE Lanes load(std::size_t row, std::size_t) const { return hn::Set(Tag(), values[row]); }
 };
 
-/// Consecutive elements.
+/// Consecutive elements of each row.
 template <std::size_t N>
 struct Many {
   const double* rows[N];

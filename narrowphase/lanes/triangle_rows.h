@@ -7,8 +7,8 @@
 
 namespace graze::narrowphase {
 
-/// Triangles, coordinate by coordinate: rows x, y, z of corner a, of b, of c, all of one length. A
-/// view: the caller keeps the memory.
+/// Holds triangles coordinate by coordinate: rows x, y, z of corner a, of b, of c, all of one
+/// length. A view: the caller keeps the memory.
 struct TriangleRows {
   std::array<const double*, 9> row;
   std::size_t size;

@@ -1,6 +1,6 @@
 #pragma once
 
-// Two doubles that are computed with at once, on the baseline SIMD of any CPU that has some: vector
+// Computes with two doubles at once, on the baseline SIMD of any CPU that has some: vector
 // extensions, which gcc and clang share. Each lane rounds as a double does.
 
 #include <cstdint>
@@ -19,7 +19,7 @@ inline TwoLanes both(double value) {
   return TwoLanes{value, value};
 }
 
-/// Two numbers that lie side by side.
+/// Loads two numbers that lie side by side.
 inline TwoLanes load(const double* p) {
   return TwoLanes{p[0], p[1]};
 }
@@ -42,7 +42,7 @@ inline TwoLanes magnitude(TwoLanes v) {
                                     TwoMasks{kAllButSign, kAllButSign});
 }
 
-/// The lanes whose bits are set in `which` with their signs changed.
+/// Changes the signs of the lanes whose bits are set in `which`.
 inline TwoLanes negated(TwoLanes v, unsigned which) {
   constexpr std::int64_t kSign = std::numeric_limits<std::int64_t>::min();
   constexpr TwoMasks kMasks[4] = {TwoMasks{0, 0}, TwoMasks{kSign, 0}, TwoMasks{0, kSign},
@@ -50,7 +50,8 @@ inline TwoLanes negated(TwoLanes v, unsigned which) {
   return reinterpret_cast<TwoLanes>(reinterpret_cast<TwoMasks>(v) ^ kMasks[which]);
 }
 
-/// All bits of a lane are set where a > b, none elsewhere: masks, for both_of() and sign_bits().
+/// Returns a mask for both_of() and sign_bits(): all bits of a lane are set where a > b, none
+/// elsewhere.
 inline TwoLanes are_greater(TwoLanes a, TwoLanes b) {
 #ifdef __SSE2__
   return _mm_cmpgt_pd(a, b);  // gcc takes (a > b) & (c > d) apart and computes with single lanes
@@ -69,7 +70,7 @@ inline TwoLanes either_of(TwoLanes mask_a, TwoLanes mask_b) {
                                     reinterpret_cast<TwoMasks>(mask_b));
 }
 
-/// Bit i is the sign bit of lane i: set for negative numbers, and in masks for true.
+/// Returns the sign bits: bit i is that of lane i, set for negative numbers, and in masks for true.
 inline unsigned sign_bits(TwoLanes v) {
 #ifdef __SSE2__
   return static_cast<unsigned>(_mm_movemask_pd(v));

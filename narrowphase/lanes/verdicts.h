@@ -6,7 +6,7 @@
 
 namespace graze::narrowphase {
 
-/// The verdict of two proofs, of which at most one holds. It has no branch, because a CPU
+/// Returns the verdict of two proofs, of which at most one holds. It has no branch, because a CPU
 /// often cannot predict which of them does.
 constexpr Verdict verdict_of(bool is_apart, bool is_touching) {
   static_assert(static_cast<int>(Verdict::Apart) == 0 && static_cast<int>(Verdict::Touching) == 1 &&
@@ -15,7 +15,8 @@ constexpr Verdict verdict_of(bool is_apart, bool is_touching) {
                               (static_cast<int>(is_apart) - 1));
 }
 
-/// Verdicts of several pairs: bit i is set in one of these, or in neither if pair i is unsure.
+/// Holds the verdicts of several pairs: bit i is set in one of these, or in neither if pair i is
+/// unsure.
 struct Verdicts {
   std::uint32_t apart = 0;
   std::uint32_t touching = 0;

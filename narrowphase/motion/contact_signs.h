@@ -1,21 +1,21 @@
 #pragma once
 
-// Whether two hulls share a point at one time, by signs of polynomials of degree two, when all four
-// points are in one plane then.
+// Decides whether two hulls share a point at one time, when all four points are in one plane, by
+// signs of polynomials of degree two.
 
 #include <graze/narrowphase/motion/polynomial.h>
 
 namespace graze::narrowphase {
 
-/// The corners of the hulls, by their numbers in FourPaths: a point in a segment.
+/// Says which point and which segment are meant, by the corners' numbers in FourPaths.
 struct PointInEdge {
   int point;
   int from;
   int to;
 };
 
-/// What a point in a triangle, or two edges, come down to where no area is left, and where contact
-/// begins while all stays in one plane: a corner in an edge.
+/// The corners and edges that a point and a triangle, or two edges, come down to where no area is
+/// left, and where contact begins while all stays in one plane.
 inline constexpr PointInEdge kPointInEdges[2][4] = {
     {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {0, 1, 2}},
     {{0, 2, 3}, {1, 2, 3}, {2, 0, 1}, {3, 0, 1}},
@@ -25,12 +25,13 @@ inline const PointInEdge (&point_in_edges(PathPair kind))[4] {
   return kPointInEdges[kind == PathPair::EdgeEdge];
 }
 
-/// Zero in each axis while the point is on the line.
+/// Returns a polynomial that is zero in each axis while the point is on the line.
 inline Polynomial beside_edge(const ExactPaths& paths, const PointInEdge& which, int axis) {
   return cross(paths, {which.from, which.point}, {which.from, which.to}, axis);
 }
 
-/// Not positive in any axis while a point of the line is between the ends.
+/// Returns a polynomial that is not positive in any axis while a point of the line is between the
+/// ends.
 inline Polynomial along_edge(const ExactPaths& paths, const PointInEdge& which, int axis) {
   return product(paths.offset(which.point, which.from, axis),
                  paths.offset(which.point, which.to, axis));
@@ -45,12 +46,13 @@ bool is_in_edge(const ExactPaths& paths, const PointInEdge& which, const SignOf&
   return true;
 }
 
-/// (q - p) x (r - p)
+/// Returns (q - p) x (r - p).
 inline Polynomial area(const ExactPaths& paths, int p, int q, int r, int axis) {
   return cross(paths, {p, q}, {p, r}, axis);
 }
 
-/// The point is on the inner side of each edge, seen along an axis along which there is area.
+/// True if the point is on the inner side of each edge, seen along an axis along which there is
+/// area.
 template <typename SignOf>
 bool is_in_triangle(const ExactPaths& paths, int axis, Sign turn, const SignOf& sign_of) {
   for (int i = 1; i <= 3; ++i) {
@@ -59,8 +61,8 @@ bool is_in_triangle(const ExactPaths& paths, int axis, Sign turn, const SignOf& 
   return true;
 }
 
-/// The ends of each edge are not on one side of the other, seen along an axis along which the edges
-/// are not parallel.
+/// True if the ends of each edge are not on one side of the other, seen along an axis along which
+/// the edges are not parallel.
 template <typename SignOf>
 bool do_edges_meet(const ExactPaths& paths, int axis, const SignOf& sign_of) {
   for (int i = 0; i <= 2; i += 2) {
@@ -71,13 +73,14 @@ bool do_edges_meet(const ExactPaths& paths, int axis, const SignOf& sign_of) {
   return true;
 }
 
-/// The normal of the plane of all: of the triangle, or of both edges.
+/// Returns the normal of the plane that holds all four points: of the triangle, or of both edges.
 inline Polynomial normal(const ExactPaths& paths, PathPair kind, int axis) {
   if (kind == PathPair::PointTriangle) return area(paths, 1, 2, 3, axis);
   return cross(paths, {0, 1}, {2, 3}, axis);
 }
 
-/// At a time when all are in one plane; `sign_of(f)` is the sign of a polynomial then.
+/// True if the hulls share a point at a time when all points are in one plane; `sign_of(f)` is the
+/// sign of a polynomial then.
 template <typename SignOf>
 bool do_meet(const ExactPaths& paths, PathPair kind, const SignOf& sign_of) {
   for (int axis = 0; axis < 3; ++axis) {

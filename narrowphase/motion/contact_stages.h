@@ -4,8 +4,8 @@
 
 namespace graze::narrowphase {
 
-// What first_contact() answers, for finite coordinates, computed as the thread computes. Contacts
-// later than `until`, from 0 to 1, may be left out.
+// These functions return what first_contact() answers, for finite coordinates, computed as the
+// thread computes. Contacts later than `until`, from 0 to 1, may be left out.
 
 std::optional<FirstContact> first_contact_of(const PointPath& point, const TrianglePath& triangle,
                                              const FirstContactSettings& settings,
@@ -16,7 +16,7 @@ std::optional<FirstContact> first_contact_of(const EdgePath& a, const EdgePath& 
 std::optional<FirstContact> first_contact_of(const TrianglePath& a, const TrianglePath& b,
                                              const FirstContactSettings& settings);
 
-/// The exact stage alone, about [from, 1]; a contact at 0 counts only for `from` = 0.
+/// Asks the exact stage alone about [from, 1]; a contact at 0 counts only for `from` = 0.
 std::optional<FirstContact> first_contact_exactly(const FourPaths& paths,
                                                   const FirstContactSettings& settings,
                                                   double from = 0);

@@ -1,10 +1,10 @@
 // The times of contact are a closed set, given by signs of polynomials. While the four points are
-// not always in one plane, it is some of the roots of the polynomial of degree three that is zero
-// when they are. While they are always in one plane, a stretch of contact begins only when a corner
-// comes to lie in an edge: before that, an inner point of a triangle stays one, and so does a point
-// that two edges cross in. A corner on the line of an edge is a root of the area that the three
-// have; if it is always on the line, it comes to the edge at an end, which is a root of the product
-// of its offsets from the ends, axis by axis.
+// not always in one plane, the set is some of the roots of the polynomial of degree three that is
+// zero when they are. While they are always in one plane, a stretch of contact begins only when a
+// corner comes to lie in an edge: before that, an inner point of a triangle stays one, and so does
+// a point that two edges cross in. A corner on the line of an edge is a root of the area that the
+// three have; if it is always on the line, it comes to the edge at an end, which is a root of the
+// product of its offsets from the ends, axis by axis.
 
 #include <graze/narrowphase/motion/contact_signs.h>
 #include <graze/narrowphase/motion/contact_stages.h>
@@ -56,7 +56,7 @@ class ExactContact {
     visit_roots<Integer>(f, from_, [&](Root<Integer>& root) { return try_root(root); });
   }
 
-  /// Whether contact begins at a root.
+  /// True if contact begins at a root.
   bool try_root(Root<Integer>& root) {
     narrow(root);
     const double time = root.place.low.floor;
@@ -82,7 +82,7 @@ class ExactContact {
   std::optional<FirstContact> first_;
 };
 
-/// Not inlined: the frame of the one is not to hold the integers of the other.
+/// This is not inlined: the frame of the one is not to hold the integers of the other.
 template <typename Integer>
 [[gnu::noinline]] std::optional<FirstContact> first_contact_in(const FourPaths& paths,
                                                                const FirstContactSettings& settings,

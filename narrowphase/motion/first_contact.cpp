@@ -34,7 +34,8 @@ FirstContact at_root(const FourPaths& paths, const PathLanes& lanes, const Round
 
 namespace {
 
-/// What the first look in rounded arithmetic leaves open. Not inlined: most queries end before.
+/// Decides what the first look in rounded arithmetic leaves open. It is not inlined, as most
+/// queries end before.
 [[gnu::noinline]] std::optional<FirstContact> contact_after(const RoundedAnswer& answer,
                                                             const FourPaths& paths,
                                                             const PathLanes& lanes,
@@ -96,7 +97,7 @@ std::optional<FirstContact> first_contact_of(const TrianglePath& a, const Triang
 
 namespace {
 
-/// Refused only where a sum of coordinates is not finite: it may have overflowed.
+/// Checks coordinates one by one only where their sum is not finite: it may have overflowed.
 template <typename A, typename B>
 std::optional<FirstContact> checked_contact(const A& a, const B& b,
                                             const FirstContactSettings& settings,

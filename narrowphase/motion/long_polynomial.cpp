@@ -27,7 +27,7 @@ struct Division {
   LongPolynomial remainder;
 };
 
-/// Of f times the (deg f - deg g + 1)-th power of g's leading coefficient by g.
+/// Divides f times the (deg f - deg g + 1)-th power of g's leading coefficient by g.
 Division pseudo_division(const LongPolynomial& f, const LongPolynomial& g) {
   Coefficients rest = coefficients_of(f);
   const int steps = f.degree() - g.degree();
@@ -140,7 +140,7 @@ Sign sign_at(const LongPolynomial& f, const LongDyadic& t) {
 
 std::vector<GrowingInteger> bernstein(const LongPolynomial& f, const LongDyadic& from) {
   const int degree = f.degree();
-  // In powers of x, for t = (numerator + x) / 2^bits.
+  // The coefficients are those of powers of x, for t = (numerator + x) / 2^bits.
   Coefficients powers{f.leading()};
   for (int i = degree - 1; i >= 0; --i) {
     powers.emplace_back();

@@ -1,7 +1,7 @@
 #pragma once
 
-// Polynomials in time of any degree, with integer coefficients of any length: what separations need
-// (near_contact.cpp), and what is too long for polynomial.h.
+// This file holds polynomials in time of any degree, with integer coefficients of any length: what
+// separations need (near_contact.cpp), and what is too long for polynomial.h.
 
 #include <graze/narrowphase/predicates/growing_integer.h>
 
@@ -9,7 +9,8 @@
 
 namespace graze::narrowphase {
 
-/// The coefficient of t^i at place i; the last one is not zero. The zero polynomial has none.
+/// A polynomial with the coefficient of t^i at place i; the last one is not zero. The zero
+/// polynomial has none.
 class LongPolynomial {
  public:
   LongPolynomial() = default;
@@ -32,15 +33,15 @@ LongPolynomial operator-(const LongPolynomial& f, const LongPolynomial& g);
 LongPolynomial operator*(const LongPolynomial& f, const LongPolynomial& g);
 LongPolynomial derivative(const LongPolynomial& f);
 
-/// What f and g have in common, times some number; neither is zero. By subresultants (Knuth, The
-/// Art of Computer Programming 2, 4.6.1, algorithm C), whose coefficients grow as slowly as
-/// determinants.
+/// Returns the greatest common divisor of f and g, times some number; neither is zero. It is found
+/// by subresultants (Knuth, The Art of Computer Programming 2, 4.6.1, algorithm C), whose
+/// coefficients grow as slowly as determinants.
 LongPolynomial greatest_common_divisor(const LongPolynomial& f, const LongPolynomial& g);
 
-/// f without its multiple roots, which become simple, times some number; f is not zero.
+/// Returns f without its multiple roots, which become simple, times some number; f is not zero.
 LongPolynomial square_free(const LongPolynomial& f);
 
-/// Numbers numerator / 2^bits.
+/// The number numerator / 2^bits.
 struct LongDyadic {
   GrowingInteger numerator;
   int bits = 0;
@@ -48,7 +49,7 @@ struct LongDyadic {
 
 Sign sign_at(const LongPolynomial& f, const LongDyadic& t);
 
-/// f in Bernstein's basis from `from` to `from` + 2^-bits, times something positive.
+/// Returns f in Bernstein's basis from `from` to `from` + 2^-bits, times something positive.
 std::vector<GrowingInteger> bernstein(const LongPolynomial& f, const LongDyadic& from);
 
 }  // namespace graze::narrowphase

@@ -11,7 +11,8 @@ using Coefficients = std::vector<GrowingInteger>;
 constexpr int kBitsOfDouble = 53;
 constexpr int kFinestBits = 1074;
 
-// Of halvings before it is asked whether roots coincide, which takes as long as hundreds of them.
+// So many halvings are made before it is asked whether roots coincide, which takes as long as
+// hundreds of them.
 constexpr int kPatience = 64;
 
 int count_changes(const Coefficients& coefficients) {
@@ -31,7 +32,7 @@ struct Halves {
   Coefficients last;
 };
 
-/// By de Casteljau's sums, each time twice as large: both halves times 2^degree.
+/// Returns both halves times 2^degree, by de Casteljau's sums, each of them twice as large.
 Halves halves_of(const Coefficients& coefficients) {
   const std::size_t degree = coefficients.size() - 1;
   Coefficients sums = coefficients;
@@ -57,7 +58,8 @@ class Isolation {
  public:
   Isolation(const LongPolynomial& f, int most_bits) : f_(f), most_bits_(most_bits) {}
 
-  /// False if there are stretches as fine as that with more than one root, or a double one.
+  /// Isolates the roots. False if a stretch of 2^-most_bits_ has more than one root or a double
+  /// one.
   bool isolate(const LongDyadic& low, const Coefficients& coefficients) {
     const int changes = count_changes(coefficients);
     if (changes == 0) return true;
@@ -115,7 +117,7 @@ Sign LongRoot::sign_of(const LongPolynomial& g) {
     if (is_dyadic_) return sign_at(g, low_);
     const Coefficients coefficients = bernstein(g, low_);
     if (count_changes(coefficients) == 0) {
-      // In the open stretch it has the sign of those that are not zero.
+      // In the open stretch g has the sign of those coefficients that are not zero.
       for (const GrowingInteger& each : coefficients) {
         if (!each.is_zero()) return each.sign();
       }
@@ -123,7 +125,7 @@ Sign LongRoot::sign_of(const LongPolynomial& g) {
     if (has_common && halvings >= kPatience) {
       has_common = false;
       const LongPolynomial common = greatest_common_divisor(*f_, g);
-      // Of its roots, which are simple ones of f, there is at most one in the stretch.
+      // At most one of the common roots, which are simple roots of f, is in the stretch.
       if (common.degree() > 0 && count_changes(bernstein(common, low_)) % 2 == 1) return Sign::Zero;
     }
     for (int i = 0; i < std::max(halvings, 1) && !is_dyadic_; ++i)

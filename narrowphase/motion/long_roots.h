@@ -1,6 +1,6 @@
 #pragma once
 
-// The real roots of a LongPolynomial in (0, 1], each exactly, and signs there.
+// Finds the real roots of a LongPolynomial in (0, 1], each exactly, and signs there.
 
 #include <graze/narrowphase/motion/long_polynomial.h>
 
@@ -13,18 +13,20 @@ namespace graze::narrowphase {
 /// that is `low` itself.
 class LongRoot {
  public:
-  /// Of f, which must outlive it, and whose coefficients in Bernstein's basis these are.
+  /// Takes a root of f, which must outlive it, and the coefficients of f in Bernstein's basis on
+  /// the stretch.
   LongRoot(const LongPolynomial& f, const LongDyadic& low, std::vector<GrowingInteger> bernstein)
       : f_(&f), low_(low), bernstein_(std::move(bernstein)) {}
   LongRoot(const LongPolynomial& f, const LongDyadic& place)
       : f_(&f), low_(place), is_dyadic_(true) {}
 
-  /// The largest double that is not above it.
+  /// Returns the largest double that is not above the root.
   double rounded_down();
 
-  /// The sign of g there.
+  /// Returns the sign of g at the root.
   Sign sign_of(const LongPolynomial& g);
-  /// And just before: its own, or that of the first derivative that is not zero.
+  /// Returns the sign of g just before the root: its own there, or that of the first derivative
+  /// that is not zero.
   Sign sign_before(const LongPolynomial& g);
 
  private:
@@ -36,9 +38,9 @@ class LongRoot {
   bool is_dyadic_ = false;
 };
 
-/// The roots of f, which is not zero, in (0, 1], first to last. `simple` becomes what has them all
-/// and none of them twice, where that is not f itself; both must outlive them. By the rule of
-/// Descartes, as in roots.h.
+/// Returns the roots of f, which is not zero, in (0, 1], first to last. Where f has multiple roots
+/// `simple` becomes the polynomial that has all of them once; both must outlive the roots. They are
+/// found by the rule of Descartes, as in roots.h.
 std::vector<LongRoot> long_roots_of(const LongPolynomial& f, LongPolynomial& simple);
 
 }  // namespace graze::narrowphase

@@ -1,9 +1,9 @@
 // The times at which the hulls are no further apart than s are a closed set. Where a part of it
 // begins after 0 the hulls are s apart, their distance is that of the pair of features that have
 // the two nearest points inside of them, and it was larger before: so the gap of that pair, unless
-// it is always zero, has a root there. If it is always zero the pair is always s apart, as far as
-// its feet are inside: they come in through a feature that bounds one of the two, which is s away
-// then, too. In the end it is two corners that are always s apart, and have been so at 0.
+// it is always zero, has a root there. If it is always zero the pair is always s apart, while its
+// feet are inside: they come in through a feature that bounds one of the two, which is s away then,
+// too. In the end it is two corners that are always s apart, and have been so at 0.
 
 #include <graze/narrowphase/motion/long_roots.h>
 #include <graze/narrowphase/motion/near_contact.h>
@@ -12,7 +12,7 @@
 namespace graze::narrowphase {
 namespace {
 
-/// `sign_of(f)` is the sign of a polynomial at the time in question.
+/// True if the feet are inside; `sign_of(f)` is the sign of a polynomial at the time in question.
 template <typename SignOf>
 bool has_feet_inside(const NearFeature& feature, const SignOf& sign_of) {
   if (sign_of(feature.size) != Sign::Positive) return false;
@@ -46,8 +46,8 @@ std::optional<FirstContact> near_contact_exactly(const FourPaths& paths,
       if (first && first->time <= time) break;
       if (!has_feet_inside(feature, [&](const LongPolynomial& f) { return root.sign_of(f); }))
         continue;
-      // What hangs together with 0 in time is left out: all that was near just before is, or what
-      // begins here would have begun there.
+      // The part of the times that holds 0 is left out: all that was near just before is in it, or
+      // what begins here would have begun there.
       const auto sign_before = [&](const LongPolynomial& f) { return root.sign_before(f); };
       if (are_near_at_start && are_any_near(features, sign_before)) continue;
       first = FirstContact{time, false};

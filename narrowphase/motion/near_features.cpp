@@ -23,7 +23,7 @@ LongVector cross(const LongVector& a, const LongVector& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-/// All of the pairs, one after the other.
+/// Lists all of the pairs, one after the other.
 class NearFeatures {
  public:
   NearFeatures(const FourPaths& paths, double separation) {
@@ -58,7 +58,7 @@ class NearFeatures {
                         {dot(w, edge), dot(point_[to] - point_[p], edge)}});
   }
 
-  /// Point 0, and the triangle of the others.
+  /// Adds point 0 and the triangle of the others.
   void add_corner_and_face() {
     const LongVector normal = cross(point_[2] - point_[1], point_[3] - point_[1]);
     const LongPolynomial size = dot(normal, normal);
@@ -71,8 +71,8 @@ class NearFeatures {
     features.push_back(std::move(feature));
   }
 
-  /// From 0 to 1, and from 2 to 3. With w from 0 to 2, e and f along them and m = e x f, the feet
-  /// are at (w x f) . m and (w x e) . m, over m^2.
+  /// Adds the edges from 0 to 1 and from 2 to 3. With w from 0 to 2, e and f along them and m = e x
+  /// f, the feet are at (w x f) . m and (w x e) . m, over m^2.
   void add_edges() {
     const LongVector e = point_[1] - point_[0], f = point_[3] - point_[2];
     const LongVector w = point_[2] - point_[0], across = cross(e, f);

@@ -16,11 +16,13 @@ namespace graze::narrowphase {
 /// no number of `inside` is negative.
 struct NearFeature {
   LongPolynomial gap;   ///< the squared distance less s^2, times the size; of degree six at most
-  LongPolynomial size;  ///< of an edge, a face or a common normal, squared; 1 for two corners
-  std::vector<LongPolynomial> inside;  ///< where the feet are, of degree four at most
+  LongPolynomial size;  ///< the squared length of an edge, a face's normal or a common normal; 1
+                        ///< for two corners
+  std::vector<LongPolynomial> inside;  ///< polynomials that say where the feet are, of degree four
+                                       ///< at most
 };
 
-/// All pairs. The separation is finite and not negative.
+/// Returns all pairs. The separation is finite and not negative.
 std::vector<NearFeature> near_features_of(const FourPaths& paths, double separation);
 
 }  // namespace graze::narrowphase

@@ -45,7 +45,7 @@ Vector cross(const Vector& a, const Vector& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-/// The four points at one time.
+/// Holds the four points at one time.
 struct FourPoints {
   Vector at[4];
 };
@@ -65,7 +65,7 @@ void take_shorter(Vector& shortest, const Vector& other) {
   if (dot(other, other) < dot(shortest, shortest)) shortest = other;
 }
 
-/// Roughly from the nearest point of the triangle to the point.
+/// Returns roughly the vector from the nearest point of the triangle to the point.
 Vector offset_of_point(const FourPoints& p) {
   const Vector& point = p.at[0];
   Vector shortest = minus(point, p.at[1]);
@@ -82,7 +82,7 @@ Vector offset_of_point(const FourPoints& p) {
   return {side * normal.x, side * normal.y, side * normal.z};
 }
 
-/// Roughly from the nearest point of the last edge to that of the first.
+/// Returns roughly the vector from the nearest point of the last edge to that of the first.
 Vector offset_of_edges(const FourPoints& p) {
   Vector shortest = minus(p.at[0], p.at[2]);
   for (int i = 0; i < 2; ++i) {

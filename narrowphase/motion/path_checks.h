@@ -7,8 +7,9 @@
 
 namespace graze::narrowphase {
 
-// What the doors of first contacts refuse, by InputError: coordinates that are not finite, with the
-// thing, its number unless that is kNoNumber, and the vertex; and settings that are none.
+// These functions refuse, by InputError, what first contacts cannot be asked about: coordinates
+// that are not finite, naming the thing, its number unless that is kNoNumber, and the vertex; and
+// settings that are none.
 
 inline constexpr std::size_t kNoNumber = static_cast<std::size_t>(-1);
 
@@ -21,7 +22,7 @@ void check_paths(const TrianglePath& triangle_a, const TrianglePath& triangle_b,
 void check_settings(const FirstContactSettings& settings);
 void check_settings(const CastSettings& settings);
 
-/// Throws for lengths that differ.
+/// Throws InputError for lengths that differ.
 void check_lengths(std::size_t length_a, std::size_t length_b, std::size_t contacts);
 
 }  // namespace graze::narrowphase

@@ -1,12 +1,12 @@
 #pragma once
 
-// Four points on straight paths in rounded arithmetic, the beginning and the end of a stretch of
-// time side by side in two lanes.
+// Computes with four points on straight paths in rounded arithmetic, the beginning and the end of a
+// stretch of time side by side in two lanes.
 //
 // With the offsets u, v, w below, all four points are in one plane while (u x v) . w is zero, and
 // then, seen along any axis, w = x u + y v or x u - y v for the weights x and y of the places in
-// the triangle, or on the two edges, where they might meet: x (u x v) = w x v, and
-// y (u x v) = u x w, or w x u.
+// the triangle, or on the two edges, where they might meet: x (u x v) = w x v, and y (u x v) = u x
+// w, or w x u.
 
 #include <graze/narrowphase/lanes/two_lanes.h>
 #include <graze/narrowphase/motion/paths.h>
@@ -24,7 +24,7 @@ struct PathLanes {
   PathLanes(const EdgePath& a, const EdgePath& b)
       : point{lanes_of(a.a), lanes_of(a.b), lanes_of(b.a), lanes_of(b.b)} {}
 
-  /// Whether all coordinates are surely finite: their sum is.
+  /// True if all coordinates are surely finite: their sum is.
   bool are_surely_finite() const {
     TwoLanes sum = both(0);
     for (const TwoVectors& p : point)
@@ -32,8 +32,9 @@ struct PathLanes {
     return sum[0] + sum[1] <= std::numeric_limits<double>::max();
   }
 
-  /// The same with each axis in a unit of its own, a power of two, so that its largest coordinate
-  /// is between 1 and 2: hulls that share a point do so still. What underflows is off by 2^-1075.
+  /// Returns the same points with each axis in a unit of its own, a power of two, so that its
+  /// largest coordinate is between 1 and 2: hulls that share a point still do. What underflows is
+  /// off by 2^-1075.
   PathLanes in_own_units() const;
 
  private:
@@ -43,8 +44,8 @@ struct PathLanes {
   }
 };
 
-/// A point and a triangle a, b, c: b - a, c - a, and the point minus a. Edges from p to q and from
-/// r to s: q - p, s - r, r - p.
+/// Holds the offsets u, v and w: b - a, c - a, and the point minus a, for a point and a triangle a,
+/// b, c; q - p, s - r and r - p, for edges from p to q and from r to s.
 struct OffsetLanes {
   TwoVectors u;
   TwoVectors v;
@@ -80,8 +81,8 @@ inline TwoLanes in_lane(TwoLanes v, int lane) {
 /// (u x v) . w as a polynomial of degree three in Bernstein's basis, on the stretch between the
 /// lanes, its middle coefficients times three.
 struct VolumeLanes {
-  TwoLanes ends;    ///< the first and the last
-  TwoLanes middle;  ///< three times those between
+  TwoLanes ends;    ///< the first and the last coefficient
+  TwoLanes middle;  ///< three times the coefficients between
 
   explicit VolumeLanes(const OffsetLanes& o) {
     const TwoVectors normal = cross(o.u, o.v);

@@ -1,6 +1,6 @@
 #pragma once
 
-// Four points on straight paths, of which two sets are made: a point and a triangle, or two edges.
+// Four points on straight paths make two sets: a point and a triangle, or two edges.
 
 #include <graze/narrowphase/first_contact.h>
 
@@ -20,7 +20,7 @@ inline PathPair kind_of(const EdgePath& /*a*/, const EdgePath& /*b*/) {
 
 struct FourPaths {
   PathPair kind;
-  const double* start[4];  ///< each an array of three coordinates
+  const double* start[4];  ///< arrays of three coordinates, one for each point
   const double* end[4];
 
   FourPaths(const PointPath& point, const TrianglePath& triangle) : kind(PathPair::PointTriangle) {

@@ -1,5 +1,5 @@
-// The first contact, known to be the one time of a stretch at which all are in one plane, rounded
-// down to a double: by Newton's method, from where numbers of twice the precision tell the signs at
+// Rounds the first contact, known to be the one time of a stretch at which all are in one plane,
+// down to a double: Newton's method finds it, and numbers of twice the precision tell the signs at
 // the double and at the next one.
 
 #include <graze/narrowphase/derived/double_pair.h>
@@ -17,7 +17,8 @@ namespace {
 // two more, and five sums and products of Horner's scheme. 6 * 14.01 roundoffs of pairs.
 constexpr double kValueBound = 85 * kPairRoundoff;
 
-/// The volume in Bernstein's basis on all of time, the coefficients in the middle times three.
+/// Holds the volume in Bernstein's basis on all of time, the coefficients in the middle times
+/// three.
 class PairVolume {
  public:
   PairVolume(const PathLanes& lanes, PathPair kind) {
@@ -52,7 +53,7 @@ class PairVolume {
     return ((c_[0] * s + c_[1] * t) * s + c_[2] * tt) * s + c_[3] * (tt * t);
   }
 
-  /// Zero if it is not sure.
+  /// Returns the sign at t, or Zero if it is not sure.
   Sign sign_at(double t) const {
     const double value = value_at(t).high;
     if (value > bound_) return Sign::Positive;
@@ -81,7 +82,7 @@ class PairVolume {
   double bound_;
 };
 
-/// Newton's method within a stretch that halving keeps.
+/// Finds the root roughly by Newton's method, within a stretch that halving keeps.
 double rough_root(const PairVolume& volume, double low, double high) {
   constexpr int kMostSteps = 60;
   const bool is_rising = volume.rough_value_at(high) > 0;

@@ -26,8 +26,8 @@
 
 namespace graze::narrowphase {
 
-/// The sign of g just after t, and just before: its own, or that of the first derivative that is
-/// not zero.
+/// Returns the sign of g just after t; the next function returns that just before. Each is its own
+/// sign at t, or that of the first derivative that is not zero.
 template <typename SignAt>
 Sign sign_after(const Polynomial& g, const SignAt& sign_of) {
   const Sign sign = sign_of(g);
@@ -40,7 +40,7 @@ Sign sign_before(const Polynomial& g, const SignAt& sign_of) {
   return sign != Sign::Zero || g.degree < 1 ? sign : -sign_before(derivative(g), sign_of);
 }
 
-/// Signs at a root that stands alone in its stretch, of polynomials of degree two at most.
+/// Finds signs of polynomials of degree two at most, at a root that stands alone in its stretch.
 template <typename Integer>
 class RootSigns {
  public:
@@ -51,7 +51,7 @@ class RootSigns {
     Sign sign[4];
     bernstein_signs(g, place_.low, place_.high, sign);
     if (count_changes(sign, g.degree) == 0) {
-      // In the open stretch it has the sign of those that are not zero.
+      // In the open stretch g has the sign of those coefficients that are not zero.
       for (int i = 0; i <= g.degree; ++i) {
         if (sign[i] != Sign::Zero) return sign[i];
       }
@@ -62,9 +62,9 @@ class RootSigns {
  private:
   /// A part of the stretch, in which f has its root and g has one at most.
   struct Part {
-    const Fraction<Integer>* vertex = nullptr;  ///< of g, if that is one of the ends
+    const Fraction<Integer>* vertex = nullptr;  ///< the vertex of g, if that is one of the ends
     bool is_before_vertex = false;
-    Sign low;  ///< of g just after the beginning, and just before the end
+    Sign low;  ///< the sign of g just after the beginning, and just before the end
     Sign high;
   };
 
@@ -74,7 +74,7 @@ class RootSigns {
     part.high = sign_before(g, [&](const Polynomial& h) { return sign_at(h, place_.high); });
     if (part.low != part.high) return sign_beside_root(g, part);
     if (g.degree < 2) return part.low;
-    // Two roots, or none, on either side of the vertex.
+    // There are two roots, or none, on either side of the vertex.
     const auto vertex = Fraction<Integer>::root_of(whole<Integer>(2) * Integer(g.coefficient[2]),
                                                    Integer(g.coefficient[1]));
     if (compare(vertex, place_.low) != Sign::Positive ||
@@ -91,8 +91,8 @@ class RootSigns {
     return sign_beside_root(g, part);
   }
 
-  /// g has one root in the part, and changes its sign there. f has the sign of its beginning there
-  /// if its own root comes later.
+  /// Returns the sign of g where it has one root in the part, and changes its sign there. f has the
+  /// sign of its beginning there if its own root comes later.
   Sign sign_beside_root(const Polynomial& g, const Part& part) const {
     const Sign f_there = g.degree == 1
                              ? sign_at(f_, Fraction<Integer>::root_of(Integer(g.coefficient[1]),
@@ -102,14 +102,14 @@ class RootSigns {
     return f_there == sign_at(f_, place_.low) ? part.high : part.low;
   }
 
-  /// The sign of f at the root of g, where g = p t^2 + q t + r: that of a line, for what f lacks to
-  /// it is a multiple of g.
+  /// Returns the sign of f at the root of g = p t^2 + q t + r: it is that of a line, for f less
+  /// that line is a multiple of g.
   Sign sign_at_root_of_square(const Polynomial& g, const Part& part) const {
     Integer remainder[4];
     for (int i = 0; i <= f_.degree; ++i)
       remainder[i] = f_.coefficient[i];
     const Integer p(g.coefficient[2]), q(g.coefficient[1]), r(g.coefficient[0]);
-    Sign factor = Sign::Positive;  // of what f has been multiplied by
+    Sign factor = Sign::Positive;  // the sign of what f has been multiplied by
     for (int i = f_.degree; i >= 2; --i) {
       const Integer highest = remainder[i];
       for (int k = 0; k < i; ++k)
@@ -124,7 +124,7 @@ class RootSigns {
     return factor == Sign::Negative ? -sign : sign;
   }
 
-  /// The sign of a line, which is not level, at the root of g.
+  /// Returns the sign of a line, which is not level, at the root of g.
   Sign sign_of_line(const Polynomial& g, const Part& part, const Integer& slope,
                     const Integer& offset) const {
     const auto zero = Fraction<Integer>::root_of(slope, offset);

@@ -1,6 +1,6 @@
 #pragma once
 
-// The real roots of a polynomial in a stretch of time, each exactly, first to last.
+// Finds the real roots of a polynomial in a stretch of time, each exactly, first to last.
 
 #include <graze/narrowphase/motion/times.h>
 
@@ -11,12 +11,13 @@ template <typename Integer>
 struct Stretch {
   Dyadic<Integer> low;
   Dyadic<Integer> high;  ///< unspecified if it is one time
-  int changes = 0;       ///< of sign among the Bernstein coefficients between the two
+  int changes = 0;       ///< changes of sign among the Bernstein coefficients between the two
   bool is_one_time = false;
 };
 
-/// The coefficients of f in Bernstein's basis between two times, each times something positive.
-/// They are the values of its polar form, b_j at d - j times low and j times high.
+/// Returns the coefficients of f in Bernstein's basis between two times, each times something
+/// positive. They are the values of its polar form: coefficient j is that at d - j times low and j
+/// times high, for degree d.
 template <typename Coefficient, typename Integer>
 void bernstein_signs(const IntegerPolynomial<Coefficient>& f, const Dyadic<Integer>& low,
                      const Dyadic<Integer>& high, Sign (&sign)[4]) {
@@ -66,10 +67,10 @@ struct Root {
   Stretch<Integer> place;
 };
 
-/// Roughly where f has its root between two doubles, by halving in rounded arithmetic.
+/// Returns roughly where f has its root between two doubles, by halving in rounded arithmetic.
 double rough_root(const double (&coefficient)[4], int degree, double low, double high);
 
-/// The coefficients over the largest of them, rounded; those too small for that are zero.
+/// Divides the coefficients by the largest of them, rounded; those too small for that are zero.
 template <typename Integer>
 void rough_coefficients(const IntegerPolynomial<Integer>& f, double (&coefficient)[4]) {
   int largest = 0;
@@ -89,7 +90,7 @@ void rough_coefficients(const IntegerPolynomial<Integer>& f, double (&coefficien
   }
 }
 
-/// Takes one end of the root's stretch to a double within it, or finds that the root is there.
+/// Moves one end of the root's stretch to a double within it, or finds that the root is there.
 template <typename Integer>
 void move_end(Root<Integer>& root, Sign sign_low, double time) {
   const Dyadic<Integer> middle(time);
@@ -104,8 +105,8 @@ void move_end(Root<Integer>& root, Sign sign_low, double time) {
   }
 }
 
-/// Narrows the root's stretch until its ends are neighbours among doubles: out from a guess in
-/// steps that grow, then by halving.
+/// Narrows the root's stretch until its ends are neighbours among doubles: steps lead out from a
+/// guess and grow, then halving goes on.
 template <typename Integer>
 void narrow(Root<Integer>& root) {
   Stretch<Integer>& place = root.place;
@@ -131,13 +132,13 @@ void narrow(Root<Integer>& root) {
 }
 
 /// Calls `visit(Root&)` for the roots of f in [from, 1], first to last, until it returns true. The
-/// polynomial has no multiple roots. By the rule of Descartes for Bernstein's basis: no change of
-/// sign means no root in the open stretch, one change means one, and halving comes to that for each
-/// root in the end (Collins and Akritas, "Polynomial real root isolation using Descartes' rule of
-/// signs", SYMSAC 1976; Mehlhorn and Sagraloff, "A deterministic algorithm for isolating real roots
-/// of a real polynomial", Journal of Symbolic Computation 46(1), 2011). Changes in two halves are
-/// no more than those in the whole, so that at most three stretches and roots wait, and a fourth
-/// for a moment.
+/// polynomial has no multiple roots. This follows the rule of Descartes for Bernstein's basis: no
+/// change of sign means no root in the open stretch, one change means one, and halving comes to
+/// that for each root in the end (Collins and Akritas, "Polynomial real root isolation using
+/// Descartes' rule of signs", SYMSAC 1976; Mehlhorn and Sagraloff, "A deterministic algorithm for
+/// isolating real roots of a real polynomial", Journal of Symbolic Computation 46(1), 2011).
+/// Changes in two halves are no more than those in the whole, so that at most three stretches and
+/// roots wait, and a fourth for a moment.
 template <typename Integer, typename Visit>
 bool visit_simple_roots(const IntegerPolynomial<Integer>& f, double from, const Visit& visit) {
   if (f.degree < 1) return false;
@@ -174,7 +175,7 @@ bool visit_simple_roots(const IntegerPolynomial<Integer>& f, double from, const 
   return false;
 }
 
-/// Likewise, of a polynomial that has one real root in all: where signs at the ends tell it.
+/// Does the same for a polynomial that has one real root in all, where signs at the ends tell it.
 template <typename Integer, typename Visit>
 bool visit_only_root(const IntegerPolynomial<Integer>& f, double from, const Visit& visit) {
   Stretch<Integer> place{Dyadic<Integer>(from), Dyadic<Integer>(1), 1, false};
@@ -186,7 +187,7 @@ bool visit_only_root(const IntegerPolynomial<Integer>& f, double from, const Vis
   return visit(root);
 }
 
-/// slope t + offset
+/// Returns slope t + offset.
 template <typename Integer>
 IntegerPolynomial<Integer> line(const Integer& slope, const Integer& offset) {
   IntegerPolynomial<Integer> f;
@@ -196,10 +197,10 @@ IntegerPolynomial<Integer> line(const Integer& slope, const Integer& offset) {
   return f;
 }
 
-/// Of a t^3 + b t^2 + c t + d. Its discriminant is a sum of five products of four coefficients,
-/// negative if there is one real root, which then no halving has to part from others. If it is
-/// zero, the remainder of 9 a f by f' is (6 a c - 2 b^2) t + (9 a d - b c), which is zero at a
-/// double root, and zero altogether if the root is triple. The roots add up to -b / a.
+/// Visits the roots of a t^3 + b t^2 + c t + d. Its discriminant is a sum of five products of four
+/// coefficients, negative if there is one real root, which then no halving has to part from others.
+/// If it is zero, the remainder of 9 a f by f' is (6 a c - 2 b^2) t + (9 a d - b c), which is zero
+/// at a double root, and zero altogether if the root is triple. The roots add up to -b / a.
 template <typename Integer, typename Visit>
 bool visit_cubic_roots(const IntegerPolynomial<Integer>& f, double from, const Visit& visit) {
   const Integer &a = f.coefficient[3], &b = f.coefficient[2];
@@ -227,8 +228,8 @@ IntegerPolynomial<Integer> in_integers(const Polynomial& given) {
   return f;
 }
 
-/// As visit_simple_roots(), for any polynomial that is not zero. A multiple root is visited once,
-/// and a simple one beside it after it, whichever comes first.
+/// Does what visit_simple_roots() does, for any polynomial that is not zero. A multiple root is
+/// visited once, and a simple one beside it after it, whichever comes first.
 template <typename Integer, typename Visit>
 bool visit_roots(const Polynomial& given, double from, const Visit& visit) {
   const IntegerPolynomial<Integer> f = in_integers<Integer>(given);

@@ -40,7 +40,7 @@ double largest(TwoLanes a, TwoLanes b, TwoLanes c) {
   return larger(both_ends, swapped(both_ends))[0];
 }
 
-/// Whether one is beyond the other along an axis at both ends, so that it is so throughout:
+/// True if one set is beyond the other along an axis at both ends, so that it is so throughout,
 /// exactly.
 bool are_apart(TwoLanes p, TwoLanes q, TwoLanes r, TwoLanes s, PathPair kind) {
   TwoLanes low_a = p, high_a = p, low_b = smaller(r, s), high_b = larger(r, s);
@@ -55,14 +55,14 @@ bool are_apart(TwoLanes p, TwoLanes q, TwoLanes r, TwoLanes s, PathPair kind) {
          sign_bits(are_greater(low_b, high_a)) == 0b11;
 }
 
-/// The largest offsets in each axis, at both ends of time.
+/// Holds the largest offsets in each axis, at both ends of time.
 struct PathExtents {
   double x;
   double y;
   double z;
 };
 
-/// Zero for zero: of what has no extent there is no area.
+/// Returns 0 for 0, as a set without extent has no area.
 double safe_inverse(double value) {
   return value == 0 ? 0 : 1 / value;
 }
@@ -73,7 +73,7 @@ bool is_in_range(double extent) {
 
 enum class CoefficientSigns { AllPositive, AllNegative, Mixed };
 
-/// A polynomial of degree two: its coefficients at the ends, and twice that in the middle.
+/// A polynomial of degree two, by its coefficients at the ends, and twice that in the middle.
 struct AreaLanes {
   TwoLanes ends;
   double middle;
@@ -94,7 +94,8 @@ AreaLanes negated(const AreaLanes& a) {
   return {-a.ends, -a.middle};
 }
 
-/// a x b seen along an axis, of whose other two coordinates the first and the second are given.
+/// Returns a x b as seen along an axis, whose other two coordinates are given as the first and the
+/// second.
 AreaLanes area(TwoLanes a_first, TwoLanes a_second, TwoLanes b_first, TwoLanes b_second) {
   const TwoLanes mixed = a_first * swapped(b_second) - a_second * swapped(b_first);
   return {a_first * b_second - a_second * b_first, mixed[0] + mixed[1]};
@@ -104,10 +105,10 @@ TwoLanes component(const TwoVectors& v, int axis) {
   return axis == 0 ? v.x : (axis == 1 ? v.y : v.z);
 }
 
-/// Where a time is at which all are in one plane, if there is one in a stretch.
+/// Says where a time is at which all points are in one plane, if there is one in a stretch.
 enum class Place { Inside, Outside, Unsure };
 
-/// Whether all coefficients have one sign.
+/// True if all coefficients have one sign.
 bool is_never_flat(const VolumeLanes& volume, double bound) {
   const TwoLanes limit = both(bound);
   const TwoLanes above =
@@ -129,7 +130,7 @@ class Search {
 
   RoundedAnswer run(const VolumeLanes& volume, double until) {
     RoundedAnswer answer{RoundedContact::None, 0, 1};
-    // The least multiple of 2^-20 above, so that it is a time of few bits.
+    // The end is the least multiple of 2^-20 above, so that it is a time of few bits.
     const double end = std::floor(until * 0x1p20 + 1) * 0x1p-20;
     if (end >= 1) {
       look(whole_, volume, 0, 1, 0, answer);
@@ -141,7 +142,7 @@ class Search {
   }
 
  private:
-  /// Whether a contact in this stretch is found or cannot be ruled out: then `answer` says so.
+  /// True if a contact in this stretch is found or cannot be ruled out: then `answer` says so.
   bool look(const OffsetLanes& offsets, const VolumeLanes& volume, double low, double high,
             int halvings, RoundedAnswer& answer) {
     if (is_never_flat(volume, volume_bound_)) return false;
@@ -161,8 +162,9 @@ class Search {
            look(second, VolumeLanes(second), middle, high, halvings + 1, answer);
   }
 
-  /// Signs at the ends that are sure and differ, and one change of sign in all: for sure if one of
-  /// the two in the middle is sure, and the other between it and an end that has its sign or not.
+  /// True if the signs at the ends are sure and differ, and there is one change of sign in all. It
+  /// is sure if one of the two in the middle is sure, and the other between it and an end that has
+  /// its sign or not.
   bool has_one_root(const VolumeLanes& volume) const {
     const double first = volume.ends[0], last = volume.ends[1];
     const double second = volume.middle[0], third = volume.middle[1];
@@ -170,7 +172,8 @@ class Search {
     if (is_rising ? !(first < -volume_bound_ && last > volume_bound_)
                   : !(first > volume_bound_ && last < -volume_bound_))
       return false;
-    // Two changes more need the second on the side of the last and the third on that of the first.
+    // For two changes more, the second must have the sign of the last and the third that of the
+    // first.
     const double up = is_rising ? 1 : -1;
     return up * second < -volume_bound_ || up * third > volume_bound_;
   }
@@ -178,7 +181,7 @@ class Search {
   Place place_of(const OffsetLanes& o) const {
     const TwoVectors normal = cross(o.u, o.v);
     const TwoVectors sum = normal + swapped(normal);
-    // Where the plane leans least, in units of the extents.
+    // The axis is that along which the plane leans least, in units of the extents.
     const double size[3] = {std::abs(sum.x[0]) * scale_[0], std::abs(sum.y[0]) * scale_[1],
                             std::abs(sum.z[0]) * scale_[2]};
     const int axis = size[0] > size[1] ? (size[0] > size[2] ? 0 : 2) : (size[1] > size[2] ? 1 : 2);
@@ -262,7 +265,7 @@ RoundedAnswer rounded_contact(const PathLanes& lanes, PathPair kind, double unti
   const PathExtents extents{largest(offsets.u.x, offsets.v.x, offsets.w.x),
                             largest(offsets.u.y, offsets.v.y, offsets.w.y),
                             largest(offsets.u.z, offsets.v.z, offsets.w.z)};
-  // In a plane across an axis all is flat, and areas along that axis may still tell.
+  // If all is in a plane across an axis it is flat, and areas along that axis may still tell.
   const int in_range = is_in_range(extents.x) + is_in_range(extents.y) + is_in_range(extents.z);
   const bool is_across = extents.x == 0 || extents.y == 0 || extents.z == 0;
   if (in_range < (is_across ? 2 : 3)) return {RoundedContact::OutOfRange};

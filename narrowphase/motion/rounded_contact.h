@@ -4,11 +4,11 @@
 
 namespace graze::narrowphase {
 
-/// What the rounded stage found.
+/// Says what the rounded stage found.
 enum class RoundedContact {
   None,       ///< surely no contact
   Root,       ///< the first contact is the one time in [low, high] at which all are in one plane
-  Unsure,     ///< none before `low`
+  Unsure,     ///< there is no contact before `low`
   OutOfRange  ///< magnitudes are such that something could overflow or underflow
 };
 
@@ -18,15 +18,16 @@ struct RoundedAnswer {
   double high = 1;
 };
 
-/// For coordinates that are finite. Contacts later than `until` may be left out.
+/// Asks the rounded stage, for coordinates that are finite. Contacts later than `until` may be left
+/// out.
 RoundedAnswer rounded_contact(const PathLanes& lanes, PathPair kind, double until = 1);
 
-/// The largest double that is not above the only root of the volume in [low, high], at which its
-/// signs differ; nothing if rounded arithmetic of twice the precision cannot tell.
+/// Returns the largest double that is not above the only root of the volume in [low, high], at
+/// which its signs differ; nothing if rounded arithmetic of twice the precision cannot tell.
 std::optional<double> root_rounded_down(const PathLanes& lanes, PathPair kind,
                                         const RoundedAnswer& answer);
 
-/// Likewise, exactly.
+/// Returns the same exactly.
 double root_rounded_down_exactly(const FourPaths& paths, const RoundedAnswer& answer);
 
 }  // namespace graze::narrowphase

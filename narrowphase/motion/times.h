@@ -1,6 +1,6 @@
 #pragma once
 
-// Times as exact numbers, and signs of polynomials there.
+// This file holds times as exact numbers, and signs of polynomials there.
 
 #include <graze/narrowphase/motion/polynomial.h>
 #include <bit>
@@ -13,7 +13,7 @@ Integer whole(double value) {
   return Integer::from_double(value, 0);
 }
 
-/// numerator / 2^bits, and the largest double that is not above it.
+/// The time numerator / 2^bits; the largest double that is not above it can be asked for.
 template <typename Integer>
 struct Dyadic {
   Integer numerator;
@@ -28,20 +28,20 @@ struct Dyadic {
   }
 };
 
-/// numerator / denominator, which is positive.
+/// The time numerator / denominator, which is positive.
 template <typename Integer>
 struct Fraction {
   Integer numerator;
   Integer denominator;
 
-  /// The root of slope t + offset; the slope is not zero.
+  /// Returns the root of slope t + offset; the slope is not zero.
   static Fraction root_of(const Integer& slope, const Integer& offset) {
     if (slope.sign() == Sign::Negative) return {offset, -slope};
     return {-offset, slope};
   }
 };
 
-/// f(t) 2^(bits degree), by Horner's rule.
+/// Returns the sign of f(t) 2^(bits degree), by Horner's rule.
 template <typename Coefficient, typename Integer>
 Sign sign_at(const IntegerPolynomial<Coefficient>& f, const Dyadic<Integer>& t) {
   if (f.degree < 0) return Sign::Zero;
@@ -63,7 +63,7 @@ Sign sign_at(const IntegerPolynomial<Coefficient>& f, const Fraction<Integer>& t
   return value.sign();
 }
 
-/// The sign of a - b.
+/// Returns the sign of a - b.
 template <typename Integer>
 Sign compare(const Fraction<Integer>& a, const Dyadic<Integer>& b) {
   return (a.numerator.shifted(b.bits) - b.numerator * a.denominator).sign();
@@ -82,8 +82,8 @@ inline double previous_double(double time) {
   return std::bit_cast<double>(std::bit_cast<std::uint64_t>(time) - 1);
 }
 
-/// A double between two that are not neighbours, at least 0. In the middle, unless that would take
-/// long to come near 0: then in the middle of all doubles between.
+/// Returns a double between two that are not neighbours, both at least 0. It is in the middle,
+/// unless that would take long to come near 0: then it is in the middle of all doubles between.
 inline double double_between(double low, double high) {
   if (high > 0x1p-6) return low + (high - low) / 2;
   const auto bits_low = std::bit_cast<std::uint64_t>(low);
@@ -96,7 +96,7 @@ bool are_neighbours(const Dyadic<Integer>& low, const Dyadic<Integer>& high) {
   return !low.is_double || !high.is_double || next_double(low.floor) == high.floor;
 }
 
-/// A time between two: a double, if there is one.
+/// Returns a time between two: a double, if there is one.
 template <typename Integer>
 Dyadic<Integer> between(const Dyadic<Integer>& low, const Dyadic<Integer>& high) {
   if (!are_neighbours(low, high)) return Dyadic<Integer>(double_between(low.floor, high.floor));

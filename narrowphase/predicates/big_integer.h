@@ -6,8 +6,8 @@
 
 namespace graze::narrowphase {
 
-/// Thrown by integers that outgrow their capacity, which is a matter within the library: who may
-/// meet it begins anew with wider ones.
+/// Is thrown by integers that outgrow their capacity. It never leaves the library: the caller that
+/// may meet it begins anew with wider integers.
 struct CapacityExceeded {};
 
 /// A signed integer of fixed capacity, in limbs of 64 bits. Slow, plain and always right. A copy
@@ -19,22 +19,23 @@ class LongInteger {
   LongInteger(const LongInteger& other);
   LongInteger& operator=(const LongInteger& other);
 
-  /// The same number with room for more, or for less if it fits.
+  /// Copies the same number with room for more, or for less if it fits.
   template <int OtherCapacity>
   explicit LongInteger(const LongInteger<OtherCapacity>& other);
 
-  /// value / 2^unit, which must be an integer: unit is at most exponent_of_lowest_bit(value).
+  /// Returns value / 2^unit, which must be an integer: unit is at most
+  /// exponent_of_lowest_bit(value).
   static LongInteger from_double(double value, int unit);
 
   Sign sign() const;
   bool is_zero() const { return size_ == 0; }
 
-  /// Times 2^bits.
+  /// Returns the number times 2^bits.
   LongInteger shifted(int bits) const;
   LongInteger operator-() const;
 
-  /// The highest 128 bits of the magnitude, which is (high * 2^64 + low) * 2^exponent but for what
-  /// lies below them; the highest bit of `high` is set, unless all is zero.
+  /// Holds the highest 128 bits of the magnitude, which is (high * 2^64 + low) * 2^exponent but for
+  /// what lies below them; the highest bit of `high` is set, unless all is zero.
   struct Leading {
     std::uint64_t high;
     std::uint64_t low;
@@ -61,8 +62,8 @@ class LongInteger {
   bool is_negative_ = false;
 };
 
-/// Wide enough for polynomials of degree six in differences of any finite doubles, counted in units
-/// of the smallest one.
+/// This integer is wide enough for polynomials of degree six in differences of any finite doubles,
+/// counted in units of the smallest one.
 ///
 /// A finite double is an integer below 2^2098 times 2^-1074, so a difference or a sum of two has at
 /// most 2099 bits. A product of six of these has 12594 bits, and a sum of up to 64 such products
@@ -70,10 +71,10 @@ class LongInteger {
 /// of two factors is at most one limb more than their bits need: 198.
 using BigInteger = LongInteger<200>;
 
-/// What signs at roots of polynomials may ask for (motion/root_sign.h).
+/// This integer is wide enough for what signs at roots of polynomials ask for (motion/root_sign.h).
 using HugeInteger = LongInteger<768>;
 
-/// What comparing the times of two faces that a ball meets may ask for
+/// This integer is wide enough for comparing the times of two faces that a ball meets
 /// (translation/ball_meetings.cpp).
 using VastInteger = LongInteger<1000>;
 
@@ -81,7 +82,7 @@ extern template class LongInteger<200>;
 extern template class LongInteger<768>;
 extern template class LongInteger<1000>;
 
-/// The exponent of the lowest set bit of a finite double that is not zero.
+/// Returns the exponent of the lowest set bit of a finite double that is not zero.
 int exponent_of_lowest_bit(double value);
 
 }  // namespace graze::narrowphase

@@ -4,14 +4,14 @@
 
 namespace graze::narrowphase {
 
-/// The nine coordinates of a triangle: x, y, z of a, of b, of c.
+/// Returns the nine coordinates of a triangle: x, y, z of a, of b, of c.
 inline const double* coordinates(const Triangle& triangle) {
   static_assert(sizeof(Triangle) == 9 * sizeof(double));
   return reinterpret_cast<const double*>(&triangle);
 }
 
-/// The corners of a triangle in space, each an array of three numbers: doubles, or integers that
-/// stand for them (fixed_point.h).
+/// Holds the corners of a triangle in space, each an array of three numbers: doubles, or integers
+/// that stand for them (fixed_point.h).
 template <typename Number>
 struct Corners {
   const Number* point[3];

@@ -1,7 +1,7 @@
 #pragma once
 
-// Triangles and segments in one plane, exactly, by comparisons and orientations in projections
-// along an axis: for coordinates that are doubles, or integers (fixed_point.h).
+// Tests triangles and segments in one plane, exactly, by comparisons and by orientations in
+// projections along an axis. Coordinates are doubles, or integers (fixed_point.h).
 
 #include <graze/narrowphase/predicates/coordinates.h>
 #include <graze/narrowphase/predicates/fixed_point.h>
@@ -33,9 +33,9 @@ bool segments_intersect(Point a0, Point a1, Point b0, Point b1) {
 /// that are points are what they are.
 template <typename Number>
 bool segments_intersect(const Number* a0, const Number* a1, const Number* b0, const Number* b1) {
-  // Four points in one plane: along at least one axis the projection of that plane is one to one,
-  // and there the projections meet if and only if the segments do. In the others they meet if those
-  // do. If the four points are collinear the same holds of their line.
+  // The four points are in one plane. Along at least one axis the projection of that plane is one
+  // to one, and there the projections meet if and only if the segments do. In the others they meet
+  // if those do. If the four points are collinear the same holds of their line.
   if (orientation_3d(a0, a1, b0, b1) != Sign::Zero) return false;
   for (int axis = 0; axis < 3; ++axis) {
     if (!segments_intersect(project(a0, axis), project(a1, axis), project(b0, axis),
@@ -46,7 +46,7 @@ bool segments_intersect(const Number* a0, const Number* a1, const Number* b0, co
   return true;
 }
 
-/// Whether a closed triangle contains a point. One without area contains nothing here: it is the
+/// True if a closed triangle contains a point. One without area contains nothing here: it is the
 /// union of its edges, which are tested by themselves.
 template <typename Point>
 bool contains(const Point (&triangle)[3], Point point) {
@@ -60,7 +60,7 @@ bool contains(const Point (&triangle)[3], Point point) {
   return has_positive != has_negative;
 }
 
-/// Whether some edge of a triangle, which has area and turns as `turn` says, has all of another
+/// True if some edge of a triangle, which has area and turns as `turn` says, has all of another
 /// triangle strictly beyond it.
 template <typename Point>
 bool has_separating_edge(const Point (&triangle)[3], Sign turn, const Point (&other)[3]) {
@@ -97,7 +97,7 @@ bool projections_intersect(const Corners<Number>& triangle_a, const Corners<Numb
       if (segments_intersect(a[i], a[(i + 1) % 3], b[j], b[(j + 1) % 3])) return true;
     }
   }
-  // No edges meet: either one holds the other whole, or they are apart.
+  // No edges meet: either one triangle holds the other whole, or they are apart.
   return contains(b, a[0]) || contains(a, b[0]);
 }
 

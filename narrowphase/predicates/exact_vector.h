@@ -1,6 +1,7 @@
 #pragma once
 
-// Differences of doubles as integers, and vectors of them: what exact stages compute with.
+// This file holds differences of doubles as integers, and vectors of them, with which exact stages
+// compute.
 
 #include <graze/narrowphase/predicates/big_integer.h>
 #include <initializer_list>
@@ -12,15 +13,16 @@ class CommonUnit {
  public:
   CommonUnit(std::initializer_list<double> values);
 
-  /// Takes `count` more values into account. To be called before anything is counted in this unit.
+  /// Takes `count` more values into account. It must be called before anything is counted in this
+  /// unit.
   void include(const double* values, int count);
 
-  /// The integers value, a - b and a + b in this unit, for values that it was made for.
+  /// Return the integers value, a - b and a + b in this unit, for values that it was made for.
   BigInteger of(double value) const { return BigInteger::from_double(value, unit_); }
   BigInteger operator()(double a, double b) const { return of(a) - of(b); }
   BigInteger sum(double a, double b) const { return of(a) + of(b); }
 
-  /// The unit is 2^exponent().
+  /// Returns the exponent: the unit is 2^exponent().
   int exponent() const { return unit_; }
 
  private:
@@ -32,7 +34,7 @@ struct BigVector {
   BigInteger y;
   BigInteger z;
 
-  /// a - b for arrays of three doubles.
+  /// Returns a - b for arrays of three doubles.
   static BigVector difference(const double* a, const double* b, const CommonUnit& unit);
 };
 

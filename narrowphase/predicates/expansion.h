@@ -1,9 +1,10 @@
 #pragma once
 
-// Exact arithmetic on sums of doubles, after Shewchuk, "Adaptive precision floating-point
+// Computes exactly with sums of doubles, after Shewchuk, "Adaptive precision floating-point
 // arithmetic and fast robust geometric predicates", Discrete & Computational Geometry 18, 1997. An
 // expansion is a sum of components that do not overlap, smallest first; the largest one has the
-// sign of the sum. Exact as long as nothing overflows and no product underflows: the caller's duty.
+// sign of the sum. All is exact as long as nothing overflows and no product underflows, which the
+// caller makes sure of.
 
 #include <graze/narrowphase/predicates/predicates.h>
 #include <array>
@@ -17,7 +18,8 @@ struct RoundedPair {
   double error;
 };
 
-/// Knuth's sum, exact for any two doubles whose sum does not overflow (Shewchuk, theorem 7).
+/// Returns Knuth's sum, exact for any two doubles whose sum does not overflow (Shewchuk, theorem
+/// 7).
 inline RoundedPair two_sum(double a, double b) {
   const double sum = a + b;
   const double b_virtual = sum - a;
@@ -25,8 +27,8 @@ inline RoundedPair two_sum(double a, double b) {
   return {sum, (a - a_virtual) + (b - b_virtual)};
 }
 
-/// Dekker's product by Veltkamp's splitting (Shewchuk, theorem 18). Without a fused operation, so
-/// that it is the same, and as fast, on the baseline CPU.
+/// Returns Dekker's product by Veltkamp's splitting (Shewchuk, theorem 18), without a fused
+/// operation, so that it is the same, and as fast, on the baseline CPU.
 inline RoundedPair two_product(double a, double b) {
   constexpr double kSplitter = 0x1p27 + 1;
   const double a_scaled = kSplitter * a;
@@ -84,8 +86,8 @@ class Expansion {
   std::size_t size_ = 0;
 };
 
-/// e + f, or e - f for factor -1 (expansion-sum, theorem 12). It asks no more of its operands than
-/// that their components do not overlap, which all operations here preserve.
+/// Returns e + f, or e - f for factor -1 (expansion-sum, theorem 12). It asks no more of its
+/// operands than that their components do not overlap, which all operations here preserve.
 template <std::size_t M, std::size_t N>
 Expansion<M + N> add_scaled(const Expansion<M>& e, const Expansion<N>& f, double factor) {
   Expansion<M + N> sum;
@@ -106,7 +108,7 @@ Expansion<M + N> operator-(const Expansion<M>& e, const Expansion<N>& f) {
   return add_scaled(e, f, -1.0);
 }
 
-/// e f: every product of components, exactly, added up.
+/// Returns e f: every product of components, exactly, added up.
 template <std::size_t M, std::size_t N>
 Expansion<2 * M * N> operator*(const Expansion<M>& e, const Expansion<N>& f) {
   Expansion<2 * M * N> product;

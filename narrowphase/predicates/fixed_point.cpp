@@ -17,7 +17,7 @@ double power_of_two(int exponent) {
   return std::bit_cast<double>(static_cast<std::uint64_t>(exponent + 1023) << 52);
 }
 
-/// The exponent e of a normal number: 2^e <= value < 2^(e + 1).
+/// Returns the exponent e of a normal number: 2^e <= value < 2^(e + 1).
 int exponent_of(double value) {
   return static_cast<int>(std::bit_cast<std::uint64_t>(value) >> 52) - 1023;
 }

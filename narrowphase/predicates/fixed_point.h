@@ -1,10 +1,10 @@
 #pragma once
 
-// Orientations of points whose coordinates are integers of 60 bits, exact by plain integer
-// arithmetic: no stages, no branches. Most input that is hard is like that once its unit is taken
-// out: lattices, floats, and doubles of similar size, for a double has but 53 bits. Each axis has a
-// unit of its own: scaling an axis by a positive factor changes no sign of an orientation, nor the
-// order of coordinates.
+// Finds orientations of points whose coordinates are integers of 60 bits, exactly and by plain
+// integer arithmetic, without stages or branches. Most hard input is of that kind once its unit is
+// taken out: lattices, floats, and doubles of similar size, for a double has but 53 bits. Each axis
+// has a unit of its own: scaling an axis by a positive factor changes no sign of an orientation,
+// nor the order of coordinates.
 
 #include <graze/narrowphase/predicates/predicates.h>
 #include <cstdint>
@@ -16,8 +16,9 @@ __extension__ typedef __int128 Int128;
 /// Coordinates of a point, of absolute values below 2^60, so that differences are below 2^61.
 using FixedPoint = std::int64_t[3];
 
-/// Writes `count` points as integers in units that are powers of two, one for each axis; false, and
-/// `fixed` is unspecified, if they are none of 60 bits. Coordinates must be finite.
+/// Writes `count` points as integers in units that are powers of two, one for each axis. If they
+/// need more than 60 bits it returns false and leaves `fixed` unspecified. Coordinates must be
+/// finite.
 bool to_fixed_point(const double* const* points, int count, FixedPoint* fixed);
 
 struct FixedPoint2 {
@@ -33,7 +34,7 @@ inline Sign sign_of(Int128 value) {
   return static_cast<Sign>((value > 0) - (value < 0));
 }
 
-/// As the orientations of predicates.h. The products are below 2^122.
+/// Returns what the orientations of predicates.h do. The products are below 2^122.
 inline Int128 area(FixedPoint2 a, FixedPoint2 b, FixedPoint2 c) {
   return static_cast<Int128>(b.x - a.x) * (c.y - a.y) -
          static_cast<Int128>(b.y - a.y) * (c.x - a.x);
@@ -56,18 +57,18 @@ inline FixedNormal normal_of(const std::int64_t* a, const std::int64_t* b, const
           area(project(a, 2), project(b, 2), project(c, 2))};
 }
 
-/// high 2^64 + low, in two parts that may overlap.
+/// The integer high 2^64 + low, in two parts that may overlap.
 struct WideInteger {
   Int128 high;
   Int128 low;
 };
 
-/// For a below 2^123 and b below 2^61: the parts are below 2^120 and 2^125.
+/// Multiplies a below 2^123 by b below 2^61: the parts are below 2^120 and 2^125.
 inline WideInteger wide_product(Int128 a, std::int64_t b) {
   return {(a >> 64) * b, static_cast<Int128>(static_cast<std::uint64_t>(a)) * b};
 }
 
-/// normal . (d - a). The sums of three parts are below 2^122 and 2^127.
+/// Returns the sign of normal . (d - a). The sums of three parts are below 2^122 and 2^127.
 inline Sign side_of(const FixedNormal& normal, const std::int64_t* a, const std::int64_t* d) {
   const WideInteger x = wide_product(normal.x, d[0] - a[0]);
   const WideInteger y = wide_product(normal.y, d[1] - a[1]);

@@ -134,9 +134,9 @@ GrowingInteger operator*(const GrowingInteger& a, const GrowingInteger& b) {
   return {std::move(limbs), a.is_negative_ != b.is_negative_};
 }
 
-// From the lowest word up: with an odd divisor each word of the quotient is the lowest that is left
-// of the dividend times the inverse of the divisor's lowest (Jebelean, "An algorithm for exact
-// division", Journal of Symbolic Computation 15(2), 1993).
+// The division goes from the lowest word up: with an odd divisor each word of the quotient is the
+// lowest that is left of the dividend times the inverse of the divisor's lowest (Jebelean, "An
+// algorithm for exact division", Journal of Symbolic Computation 15(2), 1993).
 GrowingInteger exact_quotient(const GrowingInteger& a, const GrowingInteger& b) {
   if (a.is_zero()) return {};
   int zeros = 0;

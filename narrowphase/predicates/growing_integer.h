@@ -14,24 +14,25 @@ class GrowingInteger {
   GrowingInteger() = default;
   explicit GrowingInteger(int value);
 
-  /// value / 2^unit, which must be an integer: unit is at most exponent_of_lowest_bit(value).
+  /// Returns value / 2^unit, which must be an integer: unit is at most
+  /// exponent_of_lowest_bit(value).
   static GrowingInteger from_double(double value, int unit);
 
   Sign sign() const;
   bool is_zero() const { return limbs_.empty(); }
-  /// Of the magnitude.
+  /// Returns the number of bits of the magnitude.
   int bit_length() const;
-  /// Times 2^bits, and over it, rounded towards zero.
+  /// Return the number times 2^bits, and over it, rounded towards zero.
   GrowingInteger shifted(int bits) const;
   GrowingInteger shifted_down(int bits) const;
   GrowingInteger operator-() const;
-  /// Of what has at most 53 bits.
+  /// Returns the double that equals the number, which has at most 53 bits.
   double to_double() const;
 
   friend GrowingInteger operator+(const GrowingInteger& a, const GrowingInteger& b);
   friend GrowingInteger operator-(const GrowingInteger& a, const GrowingInteger& b);
   friend GrowingInteger operator*(const GrowingInteger& a, const GrowingInteger& b);
-  /// a / b, which must be an integer; b is not zero.
+  /// Returns a / b, which must be an integer; b is not zero.
   friend GrowingInteger exact_quotient(const GrowingInteger& a, const GrowingInteger& b);
 
  private:
@@ -41,7 +42,7 @@ class GrowingInteger {
   static Limbs sum(const Limbs& a, const Limbs& b);
   static Limbs difference(const Limbs& larger, const Limbs& smaller);
 
-  Limbs limbs_;  ///< of the magnitude, least significant first; the last is not zero
+  Limbs limbs_;  ///< the limbs of the magnitude, least significant first; the last is not zero
   bool is_negative_ = false;
 };
 

@@ -20,8 +20,8 @@ PlaneSides sides_of_plane(const Corners<std::int64_t>& plane, const Corners<std:
   return sides;
 }
 
-/// Of the axes along which the projection has area the one with the largest, as it is rounded:
-/// there the filters of orientations are most often sure.
+/// Returns, of the axes along which the projection has area, the one with the largest, as it is
+/// rounded: there the filters of orientations are most often sure.
 int projection_axis(const Corners<double>& triangle) {
   int best = -1;
   double best_area = -1;

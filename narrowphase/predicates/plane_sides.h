@@ -9,8 +9,8 @@
 
 namespace graze::narrowphase {
 
-/// On which sides of the plane of a triangle the vertices of another lie. All zero if the triangle
-/// has no area.
+/// Says on which sides of the plane of a triangle the vertices of another lie. All signs are zero
+/// if the triangle has no area.
 struct PlaneSides {
   Sign sign[3];
 
@@ -19,7 +19,7 @@ struct PlaneSides {
   bool has(Sign asked) const { return sign[0] == asked || sign[1] == asked || sign[2] == asked; }
   bool are_on_both() const { return has(Sign::Negative) && has(Sign::Positive); }
 
-  /// The first vertex of that sign, which one of them has.
+  /// Returns the first vertex of that sign, which at least one of them has.
   int first(Sign asked) const { return sign[0] == asked ? 0 : sign[1] == asked ? 1 : 2; }
 };
 
@@ -33,9 +33,9 @@ struct Apex {
   Sign side;
 };
 
-/// Finds it from the signs of the vertices, which are neither all zero nor all of one sign that is
-/// not zero. Both edges at the apex then meet the plane, and between the points where they do
-/// lies what the triangle and the plane have in common.
+/// Finds the apex from the signs of the vertices, which are neither all zero nor all of one sign
+/// that is not zero. Both edges at the apex then meet the plane, and between the points where they
+/// do lies what the triangle and the plane have in common.
 constexpr Apex find_apex(const Sign (&signs)[3]) {
   for (int i = 0; i < 3; ++i) {
     const Sign second = signs[(i + 1) % 3];
@@ -50,7 +50,8 @@ constexpr Apex find_apex(const Sign (&signs)[3]) {
   return {0, Sign::Zero};
 }
 
-/// An axis along which the triangle's projection has area; negative for a triangle without any.
+/// Returns an axis along which the triangle's projection has area; negative for a triangle without
+/// any.
 int projection_axis(const Corners<double>& triangle);
 int projection_axis(const Corners<std::int64_t>& triangle);
 

@@ -1,5 +1,5 @@
-// The stages of the orientation predicates, one after the other: rounded with a bound, expansions,
-// integers of any size; and, at the end, who asks them in which order.
+// This file holds the stages of the orientation predicates, one after the other: rounded with a
+// bound, expansions, integers of any size; and, at the end, who asks them in which order.
 //
 // Forward error bounds. Below, u = 2^-53 is the unit roundoff and n = 2^-1074 the smallest double;
 // an operation returns its exact result times (1 + d), |d| <= u, and a product that underflows is
@@ -43,17 +43,18 @@ double largest(double a, double b, double c) {
   return std::max(std::abs(a), std::max(std::abs(b), std::abs(c)));
 }
 
-// Two determinants at once, in a register of any CPU.
+// Two determinants are computed at once, in a register of any CPU.
 using Both = double __attribute__((vector_size(16)));
 using BothSigns = std::int64_t __attribute__((vector_size(16)));
 
-/// The absolute values.
+/// Returns the absolute values.
 inline Both absolute(Both v) {
   return reinterpret_cast<Both>(reinterpret_cast<BothSigns>(v) &
                                 std::numeric_limits<std::int64_t>::max());
 }
 
-/// orientation_2d_filter() of vectors, without its zeros: 1 or -1 where that is sure, else 0.
+/// Answers as orientation_2d_filter() does, in vectors and without its zeros: 1 or -1 where that is
+/// sure, else 0.
 inline BothSigns sure_signs(Both ux, Both uy, Both vx, Both vy) {
   const Both both_left = ux * vy, both_right = uy * vx;
   const Both sizes = absolute(both_left) + absolute(both_right);
@@ -104,7 +105,9 @@ std::optional<Sign> orientation_3d_filter(const double* a, const double* b, cons
   const double x = largest(bx, cx, dx);
   const double y = largest(by, cy, dy);
   const double z = largest(bz, cz, dz);
-  if (x == 0 || y == 0 || z == 0) return Sign::Zero;  // all four in one axis-aligned plane, exactly
+  if (x == 0 || y == 0 || z == 0)
+    return Sign::Zero;  // then all four are in one axis-aligned
+                        // plane, exactly
   const double yz = y * z;
   const double xyz = x * yz;
   // Together these keep every intermediate result in range.
@@ -146,13 +149,13 @@ Expansion<2> difference(double a, double b) {
   return Expansion<2>::difference(a, b);
 }
 
-/// (b - a) x (c - a), with differences taken exactly by `minus`.
+/// Returns the sign of (b - a) x (c - a), with differences taken exactly by `minus`.
 template <typename Difference>
 Sign sign_of_area(Point2 a, Point2 b, Point2 c, const Difference& minus) {
   return (minus(b.x, a.x) * minus(c.y, a.y) - minus(b.y, a.y) * minus(c.x, a.x)).sign();
 }
 
-/// ((b - a) x (c - a)) . (d - a), likewise.
+/// Returns the sign of ((b - a) x (c - a)) . (d - a), with such differences.
 template <typename Difference>
 Sign sign_of_volume(const double* a, const double* b, const double* c, const double* d,
                     const Difference& minus) {

@@ -30,11 +30,11 @@ constexpr Point2 project(const double* point, int axis) {
 /// Throws InputError, naming `what` and the vertex, for a coordinate that is not finite.
 void check_finite(const Triangle& triangle, const char* what);
 
-/// The sign of (b - a) x (c - a): Positive when a, b, c turn counter-clockwise.
+/// Returns the sign of (b - a) x (c - a): Positive when a, b, c turn counter-clockwise.
 Sign orientation_2d(Point2 a, Point2 b, Point2 c);
 
-/// The sign of ((b - a) x (c - a)) . (d - a): Positive when d lies on the side of the plane through
-/// a, b, c to which their normal points. Arguments are arrays of three doubles.
+/// Returns the sign of ((b - a) x (c - a)) . (d - a): Positive when d lies on the side of the plane
+/// through a, b, c to which their normal points. Arguments are arrays of three doubles.
 Sign orientation_3d(const double* a, const double* b, const double* c, const double* d);
 
 }  // namespace graze::narrowphase

@@ -7,8 +7,8 @@ namespace {
 
 using Corners3 = const double* const (&)[3];
 
-/// The plane across the line. The moved point is shifted by more along `major` than along `minor`,
-/// by as much as e is more than e^2.
+/// Describes the plane across the line. The moved point is shifted by more along `major` than along
+/// `minor`, by as much as e is more than e^2.
 struct Across {
   int major;
   int minor;
@@ -16,10 +16,10 @@ struct Across {
 
 constexpr Across kAcross[3] = {{1, 2}, {0, 2}, {0, 1}};
 
-/// Whether the edge, seen across the line, crosses the ray from the moved point towards larger
-/// `major`. What stands level with the point is below the moved one, and an edge through the point
-/// is passed by the shift along `major`, against which its share of the shift along `minor` does
-/// not count.
+/// True if the edge, seen across the line, crosses the ray from the moved point towards larger
+/// `major`. An end that is level with the point is below the moved one, and an edge through the
+/// point is passed by the shift along `major`, against which its share of the shift along `minor`
+/// does not count.
 bool crosses_ray(const double* u, const double* v, const double* point, Across across) {
   const double level = point[across.minor];
   if ((u[across.minor] > level) == (v[across.minor] > level)) return false;
@@ -36,9 +36,9 @@ Sign normal_sign(Corners3 corner, int axis) {
                         project(corner[2], axis));
 }
 
-/// The side of the triangle's plane on which the moved point lies. If the point lies in the plane,
-/// that is the sign of n_x e + n_y e^2 + n_z e^3, which has the sign of the first n that is not
-/// zero.
+/// Returns the side of the triangle's plane on which the moved point lies. If the point lies in the
+/// plane, that is the sign of n_x e + n_y e^2 + n_z e^3, which has the sign of the first n that is
+/// not zero.
 Sign side_of_moved(Corners3 corner, const double* point) {
   Sign side = orientation_3d(corner[0], corner[1], corner[2], point);
   for (int k = 0; k < 3 && side == Sign::Zero; ++k)

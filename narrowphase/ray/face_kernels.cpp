@@ -1,6 +1,6 @@
-// ray_values.cpp's values in lanes of four doubles with a fused operation, for each SIMD target
-// that has both. The error of a product is exact by either way, and all else is done in the same
-// order, so that the values are the same bits but for the sign of a zero of the normal. Where
+// Computes ray_values.cpp's values in lanes of four doubles with a fused operation, for each SIMD
+// target that has both. The error of a product is exact by either way, and all else is done in the
+// same order, so that the values are the same bits but for the sign of a zero of the normal. Where
 // integers would have to be asked, it answers nothing.
 
 #undef HWY_TARGET_INCLUDE
@@ -63,7 +63,7 @@ struct Pairs {
 
 using Vectors = Pairs<Tag>;  // x, y and z, and a lane that nobody asks
 
-/// x, y, z to y, z, x.
+/// Turns x, y, z to y, z, x.
 HWY_INLINE hn::Vec<Tag> turned(hn::Vec<Tag> v) {
   alignas(32) static constexpr std::int64_t kTurn[4] = {1, 2, 0, 3};
   return hn::TableLookupLanes(v, hn::SetTableIndices(Tag(), kTurn));
@@ -72,7 +72,7 @@ HWY_INLINE Vectors turned(const Vectors& v) {
   return {turned(v.high), turned(v.low)};
 }
 
-/// a.y b.z - a.z b.y and so on.
+/// Returns the cross product, whose x is a.y b.z - a.z b.y, and so on.
 HWY_INLINE Vectors cross(const Vectors& a, const Vectors& b) {
   const Vectors a_yzx = turned(a), b_yzx = turned(b);
   const Vectors a_zxy = turned(a_yzx), b_zxy = turned(b_yzx);
@@ -89,7 +89,7 @@ HWY_INLINE bool is_in_range(double size) {
   return size >= kSmallestFace && size <= kLargestFace;
 }
 
-/// x, y and z of two vectors, a lane for each of the two.
+/// Holds x, y and z of two vectors, a lane for each of the two.
 struct BothVectors {
   hn::Vec<Half> x, y, z;
 
@@ -101,12 +101,12 @@ struct BothVectors {
   }
 };
 
-/// A triangle and a ray, and how large they are.
+/// Holds a triangle and a ray, and how large they are.
 struct Face {
-  Vectors u, v, w;  ///< as in ray_stages.h
+  Vectors u, v, w;  ///< the vectors of ray_stages.h
   hn::Vec<Tag> d;
-  double size;    ///< of u times v
-  double size_w;  ///< of w
+  double size;    ///< the size of u times that of v
+  double size_w;  ///< the size of w
   bool is_in_range;
 
   HWY_INLINE explicit Face(const FaceInput& in) {
@@ -125,21 +125,21 @@ struct Face {
                   narrowphase::HWY_NAMESPACE::is_in_range(size_w);
   }
 
-  /// Whether n . w and n . d are not below that share of what their products may be.
+  /// True if n . w and n . d are not below the share `least` of what their products may be.
   HWY_INLINE bool is_well_conditioned(double ahead, double along, double least) const {
     return HWY_MAX(ahead, -ahead) >= least * (size * size_w) &&
            HWY_MAX(along, -along) >= least * 2 * size;
   }
 };
 
-/// A face's plane and its ray.
+/// Holds a face's plane and its ray.
 struct FaceLine {
   hn::Vec<Tag> normal;
   double along;  ///< n . d, of which the sign matters
   double scale;
 };
 
-/// The values, as ray_values.cpp has them.
+/// Computes the values as ray_values.cpp does.
 HWY_NOINLINE bool slow_crossing(const Face& face, FaceLine& found) {
   const Vectors n = cross(face.u, face.v);
   const Vectors ahead = n * face.w, along = n * Vectors{face.d, hn::Zero(Tag())};
@@ -162,10 +162,11 @@ HWY_NOINLINE bool slow_crossing(const Face& face, FaceLine& found) {
   return true;
 }
 
-// The same bits in less than half of the time. Nothing is brought back to pairs on the way: a high
-// part is a product or a sum of doubles, whose errors are doubles, and a low part gathers these and
-// is rounded. How far slow and quick values may be apart is known; where all that is between rounds
-// alike, it is what the slow ones round to (tests/proofs/face_values.gappa).
+// This gives the same bits in less than half of the time. Nothing is brought back to pairs on the
+// way: a high part is a product or a sum of doubles, whose errors are doubles, and a low part
+// gathers these and is rounded. How far slow and quick values may be apart is known; where all
+// numbers between rounds alike, that is what the slow ones round to
+// (tests/proofs/face_values.gappa).
 //
 // Write u = 2^-53, S and W for the sizes of u times v and of w, P = |p| + |q| for the two products
 // of a component of n. Slow ones are off by 7 u^2 of each and 3 u^2 of their difference: 10 u^2 P.

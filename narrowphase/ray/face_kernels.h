@@ -1,6 +1,6 @@
 #pragma once
 
-// Where a ray goes through a face that it meets for sure. Private.
+// Finds where a ray goes through a face that it meets for sure. Private.
 
 namespace graze::narrowphase {
 
@@ -22,13 +22,13 @@ struct FaceInput {
 };
 
 struct FaceValues {
-  double against_normal;  ///< of the sign of normal . direction
+  double against_normal;  ///< the sign of normal . direction
   double scale;           ///< as in RayPlace
   alignas(32) double normal[4];
 };
 
-/// False where it leaves that to place_on_face() and unit_normal(), whose values these are but for
-/// the sign of a zero of the normal.
+/// Computes the values of place_on_face() and unit_normal(), but for the sign of a zero of the
+/// normal. Returns false where it leaves that to these.
 bool face_values(const FaceInput& in, FaceValues& out);
 
 }  // namespace graze::narrowphase

@@ -22,8 +22,8 @@ struct SampleSteps {
   Sign side;
 };
 
-/// The side of the line through an edge on which the sample is seen along an axis. Zero only for an
-/// edge that is seen as a point.
+/// Returns the side of the line through an edge on which the sample is seen along an axis. It is
+/// zero only for an edge that is seen as a point.
 Sign side_of_edge(const double* u, const double* v, const SampleSteps& sample, int axis) {
   const Step edge{u, v};
   const Step along = unit_step(axis);
@@ -35,7 +35,8 @@ Sign side_of_edge(const double* u, const double* v, const SampleSteps& sample, i
   return sign == Sign::Zero ? last_side_of_edge(edge, axis) : sign;
 }
 
-/// The side of the plane of a triangle with area on which the sample lies. Never zero.
+/// Returns the side of the plane of a triangle with area on which the sample lies. It is never
+/// zero.
 Sign side_of_plane(SampleCorners corner, const SampleSteps& sample) {
   const Step f{corner[0], corner[1]};
   const Step g{corner[0], corner[2]};

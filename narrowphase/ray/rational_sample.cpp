@@ -15,8 +15,8 @@ namespace {
 
 using Integer = GrowingInteger;
 
-/// The highest 53 bits of a number that is not negative: it is at least bits * 2^exponent, and less
-/// than (bits + 1) * 2^exponent.
+/// Holds the highest 53 bits of a number that is not negative: it is at least bits * 2^exponent,
+/// and less than (bits + 1) * 2^exponent.
 struct LeadingBits {
   explicit LeadingBits(const Integer& number)
       : exponent(std::max(number.bit_length() - 53, 0)),
@@ -26,8 +26,8 @@ struct LeadingBits {
   double bits;
 };
 
-/// What |number| / weight * 2^unit is between. A quotient of two integers below 2^53 + 1 is rounded
-/// once, and may be rounded again where it is denormal.
+/// Returns two doubles that |number| / weight * 2^unit is between. A quotient of two integers below
+/// 2^53 + 1 is rounded once, and may be rounded again where it is denormal.
 std::pair<double, double> bounds_of_size(const Integer& size, const Integer& weight, int unit) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   const LeadingBits top(size), bottom(weight);
@@ -41,7 +41,7 @@ std::pair<double, double> bounds_of_size(const Integer& size, const Integer& wei
   return {std::max(low, 0.0), std::min(high, std::numeric_limits<double>::max())};
 }
 
-/// What the signs are asked about, counted in one unit.
+/// Finds the signs, counted in one unit.
 class SampleSides {
  public:
   SampleSides(SampleCorners corners, const RationalSample& sample)
@@ -54,7 +54,7 @@ class SampleSides {
       at_[k] = sample.point.at[k].shifted(sample.point.unit - unit_);
   }
 
-  /// Zero only for an edge that is seen as a point.
+  /// Returns the side of an edge: zero only for one that is seen as a point.
   Sign of_edge(const double* u, const double* v, int axis) const {
     const int x = (axis + 1) % 3, y = (axis + 2) % 3;
     const Step edge{u, v};
@@ -65,7 +65,7 @@ class SampleSides {
     return sign == Sign::Zero ? last_side_of_edge(edge, axis) : sign;
   }
 
-  /// Of a triangle with area; never zero.
+  /// Returns the side of the plane of a triangle with area; it is never zero.
   Sign of_plane() const {
     const double *a = corners_[0], *b = corners_[1], *c = corners_[2];
     Integer sum;
@@ -86,7 +86,7 @@ class SampleSides {
 
   Integer of(double value) const { return Integer::from_double(value, unit_); }
   Integer along(const double* u, const double* v, int k) const { return of(v[k]) - of(u[k]); }
-  /// From a corner to the point, times the point's weight.
+  /// Returns the vector from a corner to the point, times the point's weight.
   Integer from(const double* u, int k) const {
     return at_[static_cast<std::size_t>(k)] - sample_.point.weight * of(u[k]);
   }
@@ -97,7 +97,7 @@ class SampleSides {
   std::array<Integer, 3> at_;
 };
 
-/// Whether the shadow of the triangle along the axis may hold that of the point.
+/// True if the shadow of the triangle along the axis may hold that of the point.
 bool is_beside(SampleCorners corners, const Aabb& around, int axis) {
   for (const int k : {(axis + 1) % 3, (axis + 2) % 3}) {
     const auto [low, high] = std::minmax({corners[0][k], corners[1][k], corners[2][k]});

@@ -1,7 +1,8 @@
 #pragma once
 
-// Points in rational numbers, beside the plane that they lie in, so that crossings of surfaces can
-// be counted from there. Slow: for what no corner of a triangle can answer. Private to the library.
+// This file holds points in rational numbers, beside the plane that they lie in, so that crossings
+// of surfaces can be counted from there. They are slow, and serve where no corner of a triangle can
+// answer. Private to the library.
 
 #include <graze/bvh/aabb.h>
 #include <graze/narrowphase/predicates/growing_integer.h>
@@ -27,12 +28,12 @@ Aabb box_around(const RationalPoint& point);
 /// triangle, and an axis line through it meets no edge.
 struct RationalSample {
   const RationalPoint& point;
-  const Aabb& around;        ///< box_around() the point
-  const Triangle& triangle;  ///< with area, in whose plane the point lies
+  const Aabb& around;        ///< what box_around() returns for the point
+  const Triangle& triangle;  ///< has area; the point lies in its plane
   Sign side;                 ///< Positive: where n points
 };
 
-/// As cross_axis_line() of a moved point. Exact for finite input.
+/// Answers as cross_axis_line() of a moved point does. Exact for finite input.
 LineCrossing cross_axis_line(const Triangle& triangle, const RationalSample& sample, int axis);
 
 }  // namespace graze::narrowphase

@@ -1,5 +1,5 @@
-// Where on the ray: in twice the precision of double while that is well conditioned, else from
-// integers with one rounding.
+// Computes where on the ray the triangle is: in twice the precision of double while that is well
+// conditioned, else from integers with one rounding.
 
 #include <graze/narrowphase/derived/double_pair.h>
 #include <graze/narrowphase/predicates/exact_vector.h>
@@ -31,7 +31,7 @@ struct PairNormal {
   bool is_in_range;
 };
 
-/// What a ratio of two integers, the second not 0, times 2^exponent, is.
+/// Holds a ratio of two integers, the second not 0, times 2^exponent.
 struct Ratio {
   BigInteger numerator;
   BigInteger denominator;  ///< positive
@@ -40,7 +40,7 @@ struct Ratio {
         denominator(d.sign() == Sign::Negative ? BigInteger() - d : d) {}
 };
 
-/// The input as integers: w, n and so on as in ray_stages.h.
+/// Holds the input as integers: w, n and so on as in ray_stages.h.
 class ExactRay {
  public:
   ExactRay(const Triangle& t, const PreparedRay& ray) : ray_(ray), unit_({}) {
@@ -56,7 +56,7 @@ class ExactRay {
   }
   BigVector from_origin(const double* p) const { return minus(p, ray_.ray.origin.data()); }
 
-  /// Of the point origin + ratio * direction.
+  /// Returns the place at the point origin + ratio * direction.
   RayPlace place(const Ratio& at) const {
     const BigInteger* d[3] = {&direction.x, &direction.y, &direction.z};
     RayPlace place;
@@ -80,7 +80,7 @@ const BigInteger& component(const BigVector& v, int k) {
   return k == 0 ? v.x : (k == 1 ? v.y : v.z);
 }
 
-/// A component that is not zero in one of the two, or -1.
+/// Returns a component that is not zero in one of the two, or -1.
 int any_component(const BigVector& p, const BigVector& q) {
   for (int k = 0; k < 3; ++k) {
     if (component(p, k).sign() != Sign::Zero || component(q, k).sign() != Sign::Zero) return k;
@@ -88,8 +88,8 @@ int any_component(const BigVector& p, const BigVector& q) {
   return -1;
 }
 
-/// Where edges are met by a ray in their plane: a segment of the line, of which only the ends
-/// matter.
+/// Gathers where edges are met by a ray in their plane: a segment of the line, of which only the
+/// ends matter.
 class PlanarMeeting {
  public:
   explicit PlanarMeeting(const ExactRay& exact) : exact_(exact) {}
@@ -114,8 +114,8 @@ class PlanarMeeting {
 };
 
 /// p x d and q x d are multiples of one vector, p and q being seen from the origin: the edge meets
-/// the line unless both are on one side. With e = q - p the line meets that of the edge at
-/// (p x e) / (d x e); an edge on the line from p to q.
+/// the line unless both are on one side. With e = q - p the line meets that of the edge at (p x e)
+/// / (d x e); an edge on the line is met from p to q.
 void include_edge(const ExactRay& exact, const double* from, const double* to,
                   PlanarMeeting& meeting) {
   const BigVector p = exact.from_origin(from), q = exact.from_origin(to);
@@ -148,7 +148,7 @@ Eigen::Vector3d exact_unit_normal(const Triangle& t) {
     unit.include(corner, 3);
   const BigVector n = cross(BigVector::difference(t.b.data(), t.a.data(), unit),
                             BigVector::difference(t.c.data(), t.a.data(), unit));
-  // Relative to the sum of sizes, which is not zero, and does not overflow.
+  // Sizes are relative to the sum of sizes, which is not zero, and does not overflow.
   BigInteger size;
   for (int k = 0; k < 3; ++k) {
     const BigInteger& c = component(n, k);

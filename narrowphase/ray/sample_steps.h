@@ -1,6 +1,6 @@
 #pragma once
 
-// How points that are moved by powers of an infinitesimal lie to edges and planes. Private to
+// Finds how points that are moved by powers of an infinitesimal lie to edges and planes. Private to
 // narrowphase/ray.
 
 #include <graze/narrowphase/derived/sign_of_products.h>
@@ -17,13 +17,13 @@ inline Step unit_step(int axis) {
   return {kNoStep, kUnitSteps[axis]};
 }
 
-/// The sign of the product of two numbers with these signs.
+/// Returns the sign of the product of two numbers with these signs.
 inline Sign product(Sign s, Sign t) {
   return static_cast<Sign>(static_cast<int>(s) * static_cast<int>(t));
 }
 
-/// To which side of a line along `axis` the last steps of a sample lead, which are along the axes:
-/// zero only for an edge that is seen as a point.
+/// Returns to which side of a line along `axis` the last steps of a sample lead, which are along
+/// the axes: zero only for an edge that is seen as a point.
 inline Sign last_side_of_edge(Step edge, int axis) {
   Sign sign = Sign::Zero;
   for (int k = 0; k < 3 && sign == Sign::Zero; ++k)
@@ -31,14 +31,14 @@ inline Sign last_side_of_edge(Step edge, int axis) {
   return sign;
 }
 
-/// Which way a triangle turns as it is seen along an axis; zero if it is seen as a segment or a
-/// point.
+/// Returns which way a triangle turns as it is seen along an axis; zero if it is seen as a segment
+/// or a point.
 inline Sign turn_along(SampleCorners corner, int axis) {
   return orientation_2d(project(corner[0], axis), project(corner[1], axis),
                         project(corner[2], axis));
 }
 
-/// Likewise of the plane of a triangle with area: never zero.
+/// Returns to which side of the plane of a triangle with area the last steps lead: never zero.
 inline Sign last_side_of_plane(SampleCorners corner) {
   Sign sign = Sign::Zero;
   for (int k = 0; k < 3 && sign == Sign::Zero; ++k)
@@ -46,8 +46,8 @@ inline Sign last_side_of_plane(SampleCorners corner) {
   return sign;
 }
 
-/// How a triangle crosses the line along `axis` through a sample that lies on these sides of its
-/// edges, seen along the axis, and of its plane, which is asked last.
+/// Finds how a triangle crosses the line along `axis` through a sample that lies on these sides of
+/// its edges, seen along the axis, and of its plane, which is asked last.
 template <typename SideOfEdge, typename SideOfPlane>
 LineCrossing crossing_by_sides(SampleCorners corner, int axis, const SideOfEdge& side_of_edge,
                                const SideOfPlane& side_of_plane) {

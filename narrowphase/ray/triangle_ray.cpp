@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kZero[3] = {0, 0, 0};
 
-/// ((p - o) x (q - o)) . d
+/// Returns the sign of ((p - o) x (q - o)) . d.
 Sign side_of_edge(const double* p, const double* q, const PreparedRay& ray, Stage& stage) {
   const double* o = ray.ray.origin.data();
   const Step along{kZero, ray.ray.direction.data()};
@@ -19,12 +19,12 @@ Sign side_of_edge(const double* p, const double* q, const PreparedRay& ray, Stag
   return sign_of_triple({o, p}, {o, q}, along);
 }
 
-/// How the ray's line passes the triangle.
+/// Says how the ray's line passes the triangle.
 enum class Passage { Beside, Through, InPlane };
 
 struct Pass {
   Passage passage;
-  Sign against_normal;  ///< n . d, if it goes through
+  Sign against_normal;  ///< the sign of n . d, if the line goes through
 };
 
 Pass pass_of(const Triangle& t, const PreparedRay& ray, Stage& stage) {
@@ -45,7 +45,8 @@ Eigen::Vector3d against(const PreparedRay& ray) {
   return {d[0] / length, d[1] / length, d[2] / length};
 }
 
-/// The normal times 1 or -1. Zeros are positive, so that they do not tell by which way it came.
+/// Returns the normal times 1 or -1. Zeros are positive, so that they do not tell from which side
+/// the ray came.
 Eigen::Vector3d turned(const double* normal, double turn) {
   return {turn * normal[0] + 0.0, turn * normal[1] + 0.0, turn * normal[2] + 0.0};
 }

@@ -1,6 +1,6 @@
-// A guess and two proofs. Rounded arithmetic finds about when the ball meets each feature; then the
-// floating-point stage of triangle and ball (triangle_sphere.h) is asked a little before the first
-// of these times and a little after it. So nothing hangs on how the times were found.
+// This is a guess and two proofs. Rounded arithmetic finds about when the ball meets each feature;
+// then the floating-point stage of triangle and ball (triangle_sphere.h) is asked a little before
+// the first of these times and a little after it. So nothing hangs on how the times were found.
 
 #include <graze/narrowphase/translation/ball_bracket.h>
 #include <graze/narrowphase/volumes/triangle_sphere.h>
@@ -13,18 +13,18 @@
 namespace graze::narrowphase {
 namespace {
 
-// Of all lengths together: 64 roundoffs, of which the proofs want some 24 (triangle_sphere.h), and
-// the rest is for the guess. If that is not enough a meeting is found exactly; with more of it
-// times of neighbours are told apart less often.
+// The room is 64 roundoffs of all lengths together, of which the proofs want some 24
+// (triangle_sphere.h), and the rest is for the guess. If that is not enough a meeting is found
+// exactly; with more of it times of neighbours are told apart less often.
 constexpr double kRoom = 0x1p-47;
 
-/// Of a ball whose centre is 0 at t = 0.
+/// Holds a meeting with a ball whose centre is 0 at t = 0.
 struct RoughMeeting {
   double time = 2;         ///< above 1: none
-  Eigen::Vector3d offset;  ///< from the feature to the centre then
+  Eigen::Vector3d offset;  ///< from the feature to the centre at that time
 };
 
-/// The smaller root of |v - t w|^2 = r^2, for what is apart at t = 0; NaN if there is none.
+/// Returns the smaller root of |v - t w|^2 = r^2, for what is apart at t = 0; NaN if there is none.
 double time_of_approach(const Eigen::Vector3d& v, const Eigen::Vector3d& w, double r) {
   const double a = w.squaredNorm(), b = v.dot(w), c = v.squaredNorm() - r * r;
   return c / (b + std::sqrt(b * b - a * c));
@@ -37,7 +37,8 @@ class MeetingGuess {
         d_(d),
         radius_(ball.radius) {}
 
-  /// The face comes before all that is around it, and an edge before its ends.
+  /// Finds the first meeting. The face comes before all that is around it, and an edge before its
+  /// ends.
   RoughMeeting find() {
     const Eigen::Vector3d normal = (corner_[1] - corner_[0]).cross(corner_[2] - corner_[0]);
     if (ask_face(normal)) return first_;
@@ -48,7 +49,7 @@ class MeetingGuess {
     return first_;
   }
 
-  /// By a step of Newton's method, where the difference from the radius is small.
+  /// Refines the time by a step of Newton's method, where the difference from the radius is small.
   double refined(const RoughMeeting& meeting) const {
     const double length = meeting.offset.norm();
     return meeting.time - (length - radius_) * length / meeting.offset.dot(d_);

@@ -5,14 +5,14 @@
 namespace graze::narrowphase {
 namespace {
 
-/// f + g^2
+/// Adds g^2 to f.
 void add_square(Polynomial& f, const LinearPath& g) {
   const Polynomial square = product(g, g);
   for (int i = 0; i < 3; ++i)
     f.coefficient[i] = f.coefficient[i] + square.coefficient[i];
 }
 
-/// The square of v - t w.
+/// Returns the square of v - t w.
 Polynomial square_of(const BigVector& v, const BigVector& w) {
   Polynomial square;
   add_square(square, {v.x, -w.x});

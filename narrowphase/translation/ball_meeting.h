@@ -15,7 +15,7 @@
 
 namespace graze::narrowphase {
 
-/// Where it is at t = 0, and d. All must outlive this.
+/// Holds where the ball is at t = 0, and d. All that it points to must outlive it.
 struct MovingBall {
   const double* centre;
   double radius;
@@ -29,54 +29,55 @@ struct MovingBall {
 struct BallFeature {
   enum class Kind { Vertex, Edge, Face };
   Kind kind;
-  int place;  ///< the corner, of an edge the one it leaves; 0 for the face
+  int place;  ///< the corner; for an edge the corner that it leaves; 0 for the face
 
   bool operator==(const BallFeature&) const = default;
 };
 
-/// What meets first, and when, rounded down.
+/// Says what meets first, and when, rounded down.
 struct BallMeeting {
   BallFeature feature;
   double time;
 };
 
-/// Where a first meeting is looked for: up to `from` the two are known to be apart, and what meets
-/// first after `until` is of no interest.
+/// Says where a first meeting is looked for: up to `from` the two are known to be apart, and what
+/// meets first after `until` is of no interest.
 struct BallStretch {
   double from = 0;
   double until = 1;
 };
 
-/// The first meeting in (0, 1] with a triangle from which the ball is apart at t = 0. Exact, up to
-/// the end of the stretch: what meets later may be told to meet later still, or not at all.
+/// Finds the first meeting in (0, 1] with a triangle from which the ball is apart at t = 0. The
+/// answer is exact up to the end of the stretch; what meets later may be reported as later still,
+/// or not at all.
 std::optional<BallMeeting> first_meeting(const Corners<double>& triangle, const MovingBall& ball,
                                          const BallStretch& stretch);
 
-/// Of a ball and one of several triangles.
+/// Says where a ball meets one of several triangles.
 struct TriangleMeeting {
   const Corners<double>& triangle;
   const BallMeeting& meeting;
 };
-/// The sign of the time of s less that of t. Exact.
+/// Returns the sign of the time of s less that of t. Exact.
 Sign compare(const TriangleMeeting& s, const TriangleMeeting& t, const MovingBall& ball);
 
-/// Whether the inside of the ball meets the triangle, which it touches at t = 0, then or at all
+/// True if the inside of the ball meets the triangle, which it touches at t = 0, then or at all
 /// times directly after. Exact.
 bool goes_in_from_start(const Corners<double>& triangle, const MovingBall& ball);
 
-/// Where a ball and a triangle meet.
+/// Says where a ball and a triangle meet.
 struct BallPlace {
-  Eigen::Vector3d point;   ///< of the triangle: each coordinate is off by at most 0.52 ulp of the
-                           ///< largest of the triangle
+  Eigen::Vector3d point;   ///< a point of the triangle: each coordinate is off by at most 0.52 ulp
+                           ///< of the largest of the triangle
   Eigen::Vector3d normal;  ///< from the point to the centre, unit to a few ulp
 };
 
-/// Of a ball without a radius the normal is that of the face, or as one that meets an edge, or a
-/// corner, against d.
+/// Returns where they meet. For a ball without a radius the normal is that of the face, and where
+/// it meets an edge or a corner, a direction against d.
 BallPlace place_of(const TriangleMeeting& meeting, const MovingBall& ball);
 
-/// The point of the triangle nearest to the centre at t = 0. Where that is the centre the normal is
-/// that of the triangle, against d; against d where there is none; zero if d is, too.
+/// Returns the point of the triangle nearest to the centre at t = 0. Where that is the centre the
+/// normal is that of the triangle, against d; against d where there is none; zero if d is, too.
 BallPlace place_at_start(const Corners<double>& triangle, const MovingBall& ball);
 
 }  // namespace graze::narrowphase

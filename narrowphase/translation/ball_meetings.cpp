@@ -20,7 +20,8 @@
 namespace graze::narrowphase {
 namespace {
 
-/// The sign of a root less the smaller root of g, which is of degree two and has real roots.
+/// Returns the sign of a root less the smaller root of g, which is of degree two and has real
+/// roots.
 template <typename Integer>
 Sign order_of(const RootSigns<Integer>& sign_of, const Polynomial& g) {
   const Sign sign = sign_of(g);
@@ -54,7 +55,7 @@ void visit_closing(const Polynomial& gap, const BallStretch& stretch, const Visi
   });
 }
 
-/// What rounded arithmetic tells of which features a ball may meet up to a time.
+/// Holds what rounded arithmetic tells of which features a ball may meet up to a time.
 class MetFeatures {
  public:
   MetFeatures(const Corners<double>& triangle, const MovingBall& ball, const BallStretch& stretch)
@@ -65,7 +66,7 @@ class MetFeatures {
 
   const BallStretch& stretch() const { return stretch_; }
 
-  /// True only of a corner, or an edge with its ends, that the ball does not meet.
+  /// True only for a corner, or an edge with its ends, that the ball does not meet.
   bool is_passed(const BallFeature& feature) const {
     if (feature.kind == BallFeature::Kind::Face) return false;
     const int last = feature.kind == BallFeature::Kind::Edge ? 1 : 0;
@@ -114,10 +115,10 @@ class FirstMeeting {
 
   BallFeatures features_;
   std::optional<BallMeeting> first_;
-  Polynomial gap_;  ///< of the first
+  Polynomial gap_;  ///< the gap of the first
 };
 
-// Not inlined: the frame of the one is not to hold the integers of the other.
+// This is not inlined: the frame of the one is not to hold the integers of the other.
 
 template <typename Integer>
 [[gnu::noinline]] std::optional<BallMeeting> first_meeting_in(const Corners<double>& triangle,
@@ -138,7 +139,8 @@ bool are_one_point(const double* p, const double* q) {
   return p[0] == q[0] && p[1] == q[1] && p[2] == q[2];
 }
 
-/// Neighbours are mostly met at what they share: a corner, or an edge.
+/// True if both meet one feature. Neighbours are mostly met at what they share: a corner, or an
+/// edge.
 bool are_one_feature(const TriangleMeeting& s, const TriangleMeeting& t) {
   const BallFeature &of_s = s.meeting.feature, &of_t = t.meeting.feature;
   if (of_s.kind != of_t.kind || of_s.kind == BallFeature::Kind::Face) return false;

@@ -1,5 +1,6 @@
-// Where a ball and a triangle meet: the time is told to so many bits that the centre is known to
-// 2^-62 of the least of the radius and the largest coordinate, and all else is exact for that time.
+// Finds where a ball and a triangle meet: the time is told to so many bits that the centre is known
+// to 2^-62 of the least of the radius and the largest coordinate, and all else is exact for that
+// time.
 
 #include <graze/narrowphase/derived/double_pair.h>
 #include <graze/narrowphase/translation/ball_features.h>
@@ -11,14 +12,14 @@
 namespace graze::narrowphase {
 namespace {
 
-// Of the size of what the centre is told to; with two bits for the length of d.
+// The centre is told to so many bits of the size, with two of them for the length of d.
 constexpr int kBitsOfPlace = 62 + 2;
 
 double largest_of(const double* v) {
   return std::max(std::abs(v[0]), std::max(std::abs(v[1]), std::abs(v[2])));
 }
 
-/// Bits behind the point of the time, from 0 to 2164.
+/// Returns how many bits behind the point the time needs, from 0 to 2164.
 int bits_of_time(const Corners<double>& triangle, const MovingBall& ball) {
   double size = 0;
   for (const double* corner : triangle.point)
@@ -29,14 +30,15 @@ int bits_of_time(const Corners<double>& triangle, const MovingBall& ball) {
   return std::max(0, std::ilogb(distance) - std::ilogb(size) + kBitsOfPlace);
 }
 
-/// numerator / 2^bits
+/// The time numerator / 2^bits.
 struct FineTime {
   BigInteger numerator;
   int bits = 0;
 };
 
-/// No more than the smaller root of a gap that is in [time, the next double), and less by less than
-/// 2^-bits: as all before the root, it has no negative gap, which does not grow.
+/// Returns a time that is no more than the smaller root of a gap that is in [time, the next
+/// double), and that is less than 2^-bits below it: as all before the root, it has no negative gap,
+/// which does not grow.
 template <typename Integer>
 [[gnu::noinline]] FineTime fine_time(const Polynomial& gap, double time, int bits) {
   Dyadic<Integer> low(time), high(next_double(time));
@@ -58,7 +60,7 @@ BigVector scaled(const BigVector& v, const BigInteger& by) {
   return {v.x * by, v.y * by, v.z * by};
 }
 
-/// v - w
+/// Returns v - w.
 BigVector difference(const BigVector& v, const BigVector& w) {
   return {v.x - w.x, v.y - w.y, v.z - w.z};
 }
@@ -67,7 +69,7 @@ BigVector shifted(const BigVector& v, int bits) {
   return {v.x.shifted(bits), v.y.shifted(bits), v.z.shifted(bits)};
 }
 
-/// What is about a feature when the centre is at c + t d.
+/// Holds what is about a feature when the centre is at c + t d.
 ///
 /// A numerator and 2^bits have at most 2165 bits, so that the longest of these, a product of n^2
 /// and 2^bits c + d, has 12670: 198 limbs, and a limb for rounding up.
@@ -102,7 +104,7 @@ class FootAt {
     return {corner[0], corner[1], corner[2]};
   }
 
-  /// From the foot to the centre, times something positive.
+  /// Returns the vector from the foot to the centre, times something positive.
   BigVector offset() const {
     switch (feature_.kind) {
       case BallFeature::Kind::Vertex:
@@ -112,7 +114,7 @@ class FootAt {
         return cross(edge, cross(arm_, edge));
       }
       case BallFeature::Kind::Face: {
-        // The side on which the centre began.
+        // The normal is on the side on which the centre began.
         const Sign side = -dot(features_.corner(0), features_.normal()).sign();
         return scaled(features_.normal(), BigInteger::from_double(static_cast<int>(side), 0));
       }
@@ -121,7 +123,7 @@ class FootAt {
   }
 
  private:
-  /// base + moved / 2^bits + rest / (divisor 2^bits), in metres.
+  /// Returns base + moved / 2^bits + rest / (divisor 2^bits), in metres.
   Eigen::Vector3d rounded(const double* base, const BigVector& moved, const BigInteger& divisor,
                           const BigVector& rest) const {
     const CommonUnit& unit = features_.unit();
@@ -141,7 +143,7 @@ class FootAt {
   BigVector arm_;  ///< from a corner of the feature to the centre, times 2^bits
 };
 
-/// Of a ball without a radius.
+/// Returns the normal for a ball without a radius.
 Eigen::Vector3d normal_of_point(const BallFeatures& features, const BallFeature& feature) {
   const BigVector& d = features.displacement();
   if (feature.kind == BallFeature::Kind::Vertex) return unit_against(d, d);
@@ -150,13 +152,14 @@ Eigen::Vector3d normal_of_point(const BallFeatures& features, const BallFeature&
   return unit_against(cross(edge, cross(edge, d)), d);
 }
 
-/// The feature with the point nearest to the centre at t = 0.
+/// Returns the feature with the point nearest to the centre at t = 0.
 BallFeature nearest_at_start(const BallFeatures& features) {
   const auto sign_at_start = [](const Polynomial& f) { return f.coefficient[0].sign(); };
   const BallFeature face{BallFeature::Kind::Face, 0};
   if (features.has(face) && features.is_foot_on(face, sign_at_start)) return face;
   BallFeature nearest = kBallFeatures[0];
-  BigInteger least = squared(features.corner(0));  // times `divisor`, as all squares of edges
+  BigInteger least = squared(features.corner(0));  // all squares are times `divisor`, as those of
+                                                   // edges are
   BigInteger divisor = BigInteger::from_double(1, 0);
   for (const BallFeature& feature : kBallFeatures) {
     if (feature.kind == BallFeature::Kind::Face || !features.has(feature) ||

@@ -7,7 +7,7 @@
 namespace graze::narrowphase {
 namespace {
 
-/// A pair in integers. Coordinates times a determinant are of degree four (BigInteger).
+/// Holds a pair in integers. Coordinates times a determinant are of degree four (BigInteger).
 class ExactPair {
  public:
   explicit ExactPair(const TranslatedPair& pair) : unit_({}) {
@@ -30,7 +30,7 @@ class ExactPair {
     return cross(minus(t.point[1], t.point[0]), minus(t.point[2], t.point[0]));
   }
 
-  /// point + numerator / divisor along, the divisor not zero.
+  /// Returns point + numerator / divisor along, the divisor not zero.
   Eigen::Vector3d moved(const double* point, BigInteger numerator, BigInteger divisor,
                         const BigVector& along) const {
     if (divisor.sign() == Sign::Negative) {
@@ -61,7 +61,8 @@ Eigen::Vector3d point_of(const TranslatedPair& pair, const Meeting& meeting) {
     case Meeting::Kind::VertexVertex:
       break;
     case Meeting::Kind::EdgeEdge: {
-      // Both edges and d: a + s e = b + u f + t d, so that s = (b - a) . (f x d) / e . (f x d).
+      // The point is on both edges, one of which moves along d: a + s e = b + u f + t d, so that s
+      // = (b - a) . (f x d) / e . (f x d).
       const ExactPair exact(pair);
       const BigVector along = exact.edge(pair.a, meeting.a);
       const BigVector across = cross(exact.edge(pair.b, meeting.b), exact.d());

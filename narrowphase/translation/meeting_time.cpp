@@ -13,8 +13,9 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Numerator and divisor as integers, the divisor positive. A difference of coordinates has at most
-/// 2099 bits, a product of three as a sum of six 6300: two of these multiplied fit (BigInteger).
+/// Holds numerator and divisor as integers, the divisor positive. A difference of coordinates has
+/// at most 2099 bits, a product of three as a sum of six 6300: two of these multiplied fit
+/// (BigInteger).
 struct ExactTime {
   BigInteger numerator;
   BigInteger divisor;
@@ -47,8 +48,8 @@ bool are_equal_or_opposite(Step s, Step t) {
   return are_equal(s, t) || are_equal(s, -t);
 }
 
-/// Whether it is surely one time. What meets of neighbours is often what they share: a corner, or
-/// an edge, whose ends w then may come from in either order.
+/// True if both are surely one time. What meets of neighbours is often what they share: a corner,
+/// or an edge, whose ends w then may come from in either order.
 bool are_surely_equal(const TimeQuotient& s, const TimeQuotient& t) {
   if (!are_equal_or_opposite(s.p, t.p) || !are_equal_or_opposite(s.q, t.q)) return false;
   if (are_equal(s.w, t.w)) return true;

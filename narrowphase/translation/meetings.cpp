@@ -17,9 +17,9 @@ bool are_against(Sign s, Sign t) {
   return s != Sign::Zero && t == -s;
 }
 
-/// On which sides of the edges of one triangle the corners of another are, seen along d.
+/// Says on which sides of the edges of one triangle the corners of another are, seen along d.
 struct CornerSides {
-  Sign sign[3][3];  ///< of a corner, of an edge
+  Sign sign[3][3];  ///< the side of a corner (first) beside an edge (second)
 
   bool is_beside(int corner) const {
     const Sign* s = sign[corner];
@@ -29,16 +29,16 @@ struct CornerSides {
     const Sign* s = sign[corner];
     return s[0] == Sign::Zero && s[1] == Sign::Zero && s[2] == Sign::Zero;
   }
-  /// The ends of the other's edge are on one side, or both on the line: then edges cross nowhere,
-  /// or not in one point.
+  /// True if the ends of the other's edge are on one side, or both on the line: then edges cross
+  /// nowhere, or not in one point.
   bool are_ends_alike(int corner, int edge) const {
     return sign[corner][edge] == sign[(corner + 1) % 3][edge];
   }
 };
 
-/// All eighteen of them. With w from a corner of one to the corners p and q of the other, the side
-/// is the sign of (w_p x w_q) . d = (w_q x d) . w_p: nine differences and their products with d
-/// serve all. What is surely beyond an edge is told before any sign is asked exactly.
+/// Finds all eighteen sides. With w from a corner of one to the corners p and q of the other, the
+/// side is the sign of (w_p x w_q) . d = (w_q x d) . w_p: nine differences and their products with
+/// d serve all. What is surely beyond an edge is told before any sign is asked exactly.
 class SidesOfAll {
  public:
   explicit SidesOfAll(const TranslatedPair& pair) : pair_(pair), d_{kZeroPoint, pair.displacement} {
@@ -53,7 +53,8 @@ class SidesOfAll {
     bound_ = triple_bound(size, d_, size);
   }
 
-  /// False if one triangle is surely beyond an edge of the other: then nothing is told.
+  /// Tells the sides. False if one triangle is surely beyond an edge of the other: then nothing is
+  /// told.
   bool tell() {
     // From A's corners to B's both offsets are the other way round, which changes no sign.
     const auto of_b_value = [&](int corner, int edge) {
@@ -70,7 +71,7 @@ class SidesOfAll {
     return true;
   }
 
-  CornerSides of_a;  ///< of A's corners
+  CornerSides of_a;  ///< the sides of A's corners
   CornerSides of_b;
 
  private:
@@ -128,8 +129,8 @@ class SidesOfAll {
 
   const TranslatedPair& pair_;
   Step d_;
-  Offset offset_[3][3];  ///< from a corner of B to one of A: [of A][of B]
-  Offset across_[3][3];  ///< that x d
+  Offset offset_[3][3];  ///< from a corner of B to one of A, by [of A][of B]
+  Offset across_[3][3];  ///< that offset x d
   double bound_;
 };
 
@@ -142,7 +143,7 @@ class Meetings {
         sides_a_(sides_.of_a),
         sides_b_(sides_.of_b) {}
 
-  /// False if there are none, or all are at negative times.
+  /// Finds the first meeting. False if there are none, or all are at negative times.
   bool find() {
     if (!sides_.tell()) return false;
     for (int i = 0; i < 3; ++i) {
@@ -182,8 +183,8 @@ class Meetings {
     }
   }
 
-  /// A corner, and an edge in one plane with it and d: seen along d the corner is in the edge if
-  /// the ends are not on one side of it. Both sides are multiples of one vector across d. Where
+  /// Takes a corner, and an edge in one plane with it and d. Seen along d the corner is in the edge
+  /// if the ends are not on one side of it. Both sides are multiples of one vector across d. Where
   /// both are zero, all is on one line along d, on which ends come before what is between; of the
   /// two that where the edge begins is enough, as the other one is where the next edge begins.
   void take_in_plane(const double* corner, const Corners<double>& triangle, int edge,
@@ -204,7 +205,7 @@ class Meetings {
     take(with_corner);
   }
 
-  /// Times are all of one sign, for triangles that are apart at t = 0.
+  /// Takes a meeting. All times are of one sign, for triangles that are apart at t = 0.
   void take(const Meeting& meeting) {
     if (is_before_) return;
     const TimeQuotient quotient(pair_, meeting);
@@ -221,7 +222,7 @@ class Meetings {
   const TranslatedPair& pair_;
   Step d_;
   SidesOfAll sides_;
-  const CornerSides& sides_a_;  ///< of A's corners
+  const CornerSides& sides_a_;  ///< the sides of A's corners
   const CornerSides& sides_b_;
   std::optional<Meeting> first_;
   std::optional<MeetingTime> time_;

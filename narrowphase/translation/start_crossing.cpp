@@ -1,5 +1,5 @@
-// The signs of crossing_stages.cpp directly after t = 0: an orientation changes steadily with t, so
-// where it is zero at t = 0 its slope has the sign that it has then.
+// Finds the signs of crossing_stages.cpp directly after t = 0: an orientation changes steadily with
+// t, so where it is zero at t = 0 its slope has the sign that it has then.
 
 #include <graze/narrowphase/predicates/plane_sides.h>
 #include <graze/narrowphase/translation/axes.h>
@@ -45,7 +45,7 @@ class DirectlyAfter {
   }
 
  private:
-  /// Of corners that move by `displacement` against a plane.
+  /// Returns the sides of corners that move by `displacement` against a plane.
   static PlaneSides sides(const Corners<double>& plane, const Corners<double>& other,
                           Step displacement) {
     PlaneSides sides = sides_of_plane(plane, other);
@@ -58,14 +58,15 @@ class DirectlyAfter {
     return sides;
   }
 
-  /// orientation_3d() of the ends of two lines, the second of which moves by `displacement`.
+  /// Returns orientation_3d() of the ends of two lines, the second of which moves by
+  /// `displacement`.
   static Sign of_lines(Step line, Step other, Step displacement) {
     const Sign sign = orientation_3d(line.from, line.to, other.from, other.to);
     return sign != Sign::Zero ? sign : sign_of_triple(line, -other, displacement);
   }
   Sign of_lines(Step line_a, Step line_b) const { return of_lines(line_a, line_b, d_); }
 
-  /// Whether a triangle without area goes through the inside of another one, which moves by
+  /// True if a triangle without area goes through the inside of another one, which moves by
   /// `displacement` against it.
   static bool pierces(const Corners<double>& segment, const PlaneSides& sides,
                       const Corners<double>& triangle, Step displacement) {
@@ -80,7 +81,7 @@ class DirectlyAfter {
 
   const TranslatedPair& pair_;
   Step d_;
-  PlaneSides sides_a_;  ///< of A's corners against B's plane
+  PlaneSides sides_a_;  ///< the sides of A's corners beside B's plane
   PlaneSides sides_b_;
 };
 

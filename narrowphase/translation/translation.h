@@ -15,7 +15,8 @@
 
 namespace graze::narrowphase {
 
-/// A corner of A at rest, B where it is at t = 0, and d. All must outlive this.
+/// Holds the corners of A at rest, those of B where it is at t = 0, and d. All that it points to
+/// must outlive it.
 struct TranslatedPair {
   Corners<double> a;
   Corners<double> b;
@@ -25,23 +26,23 @@ struct TranslatedPair {
       : a(corners_of(triangle_a)), b(corners_of(triangle_b)), displacement(d) {}
 };
 
-/// What meets: a basic solution.
+/// Names what meets: a basic solution.
 struct Meeting {
   enum class Kind {
     VertexFace,      ///< corner `a` of A and the triangle of B
     FaceVertex,      ///< the triangle of A and corner `b` of B
     EdgeEdge,        ///< edge `a` of A, from corner `a` to the next, and edge `b` of B
     VertexOnEdge,    ///< corner `a` and edge `b`, which are in one plane with d
-    EdgeWithVertex,  ///< edge `a` and corner `b`, likewise
+    EdgeWithVertex,  ///< edge `a` and corner `b`, which are in one plane with d
     VertexVertex     ///< corner `a` and corner `b`, on one line along d
   };
   Kind kind;
   int a;
   int b;
-  int axis;  ///< of the last three: one along which their time can be told
+  int axis;  ///< an axis along which the time of the last three can be told
 };
 
-/// No more and no less than a time that is not negative, in rounded arithmetic.
+/// Bounds of a time that is not negative, in rounded arithmetic.
 struct TimeBounds {
   double low;
   double high;
@@ -52,12 +53,12 @@ struct TimedMeeting {
   TimeBounds bounds;
 };
 
-/// The first meeting in (0, 1] of triangles that are apart at t = 0; of those at one time that of
-/// the lowest corner of A and the triangle of B, then of the triangle of A and a corner of B, then
-/// of edges. Exact.
+/// Returns the first meeting in (0, 1] of triangles that are apart at t = 0. Of several at one time
+/// it is that of the lowest corner of A and the triangle of B, then of the triangle of A and a
+/// corner of B, then of edges. Exact.
 std::optional<TimedMeeting> first_meeting(const TranslatedPair& pair);
 
-/// Whether the insides of triangles in different planes share a point at t = 0, or at all times
+/// True if the insides of triangles in different planes share a point at t = 0, or at all times
 /// directly after it (crosses()). Exact.
 bool crosses_from_start(const TranslatedPair& pair);
 

@@ -8,10 +8,10 @@ namespace graze::narrowphase {
 
 bool is_zero(const BigVector& v);
 
-/// With length 1, to a few ulp; zero stays.
+/// Returns v with length 1, to a few ulp; zero stays.
 Eigen::Vector3d unit_of(const BigVector& v);
 
-/// Likewise, against d as far as it is along it.
+/// Returns the same, with its sign changed if it goes along d.
 Eigen::Vector3d unit_against(const BigVector& v, const BigVector& d);
 
 }  // namespace graze::narrowphase

@@ -1,7 +1,7 @@
-// The remaining axes of the separating axis test of triangle and box, for each SIMD target that the
-// compiler knows: the three edges at once where four doubles fit, two axes at once elsewhere. Both
-// do the same operations and none is fused, so that all targets round alike. The bounds are in
-// remaining_axes.h.
+// Asks the remaining axes of the separating axis test of triangle and box, for each SIMD target
+// that the compiler knows: the three edges at once where four doubles fit, two axes at once
+// elsewhere. Both do the same operations and none is fused, so that all targets round alike. The
+// bounds are in remaining_axes.h.
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "graze/narrowphase/triangle_box/remaining_axes.cpp"
@@ -24,7 +24,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 using Tag = hn::CappedTag<double, 4>;
 using Lanes = hn::Vec<Tag>;
 
-/// One coordinate of the corners a, b, c, and c again.
+/// Holds one coordinate of the corners a, b, c, and c again.
 struct Corners {
   Lanes x, y, z;
 };
@@ -40,14 +40,14 @@ HWY_INLINE Corners corners(const double* t) {
           hn::ConcatLowerUpper(tag, hn::Set(tag, t[8]), xz)};
 }
 
-/// From each corner to the next.
+/// Returns the edges from each corner to the next.
 HWY_INLINE Lanes edges(Lanes corner) {
   alignas(32) constexpr std::int64_t kNext[4] = {1, 2, 0, 0};
   return hn::Sub(hn::TableLookupLanes(corner, hn::SetTableIndices(Tag(), kNext)), corner);
 }
 
-/// The gap between the projections along e_i x f, negative where they overlap; `half_m` is half of
-/// component i of the normal.
+/// Returns the gap between the projections along e_i x f, negative where they overlap; `half_m` is
+/// half of component i of the normal.
 HWY_INLINE Lanes gap(Lanes f_j, Lanes f_k, Lanes v_j, Lanes v_k, Lanes h_j, Lanes h_k,
                      Lanes half_m) {
   const Lanes middle = hn::Sub(hn::Sub(hn::Mul(f_k, v_j), hn::Mul(f_j, v_k)), half_m);
@@ -55,7 +55,7 @@ HWY_INLINE Lanes gap(Lanes f_j, Lanes f_k, Lanes v_j, Lanes v_k, Lanes h_j, Lane
   return hn::Sub(hn::Abs(middle), hn::Add(hn::Abs(half_m), radius));
 }
 
-/// A component of the cross product of the first two edges, in all lanes.
+/// Returns a component of the cross product of the first two edges, in all lanes.
 HWY_INLINE Lanes normal_component(Lanes f_j, Lanes f_k) {
   const Lanes lanes = hn::Sub(hn::Mul(f_j, hn::Shuffle01(f_k)), hn::Mul(f_k, hn::Shuffle01(f_j)));
   return hn::Set(Tag(), hn::GetLane(lanes));
@@ -109,8 +109,8 @@ Verdict triage_remaining_axes(const double* t, const double* low, const double* 
 
 #else
 
-/// The gap between the projections along e_i x f, negative where they overlap; `half_m` is half of
-/// component i of the normal.
+/// Returns the gap between the projections along e_i x f, negative where they overlap; `half_m` is
+/// half of component i of the normal.
 TwoLanes gap(TwoLanes f_j, TwoLanes f_k, TwoLanes v_j, TwoLanes v_k, TwoLanes h_j, TwoLanes h_k,
              TwoLanes half_m) {
   const TwoLanes middle = (f_k * v_j - f_j * v_k) - half_m;
@@ -118,7 +118,7 @@ TwoLanes gap(TwoLanes f_j, TwoLanes f_k, TwoLanes v_j, TwoLanes v_k, TwoLanes h_
   return magnitude(middle) - (magnitude(half_m) + radius);
 }
 
-/// Component i of the cross product of the two lanes' vectors, in both lanes.
+/// Returns component i of the cross product of the two lanes' vectors, in both lanes.
 TwoLanes cross_of_lanes(TwoLanes f_j, TwoLanes f_k) {
   const TwoLanes products = f_j * swapped(f_k);
   return both(products[0] - products[1]);
@@ -132,7 +132,7 @@ TwoLanes largest(TwoLanes x, TwoLanes y, TwoLanes z) {
   return larger(larger(magnitude(x), magnitude(y)), magnitude(z));
 }
 
-/// The remaining axes, for valid input of this sum of sizes.
+/// Asks the remaining axes, for valid input of this sum of sizes.
 Verdict triage_remaining_axes(const double* t, const double* low, const double* high, double size) {
   const TwoLanes centre_xy = 0.5 * (load(low) + load(high));
   const TwoLanes half_xy = 0.5 * (load(high) - load(low));
@@ -147,7 +147,7 @@ Verdict triage_remaining_axes(const double* t, const double* low, const double* 
   const TwoLanes v_x = a_x - both(centre_xy[0]);
   const TwoLanes v_y = a_y - both(centre_xy[1]);
   const TwoLanes v_z = a_z - both(centre_z);
-  // The edge from c to a with c.
+  // The third edge is that from c to a, with c.
   const TwoLanes g_xy = load(t) - load(t + 6);
   const TwoLanes w_xy = load(t + 6) - centre_xy;
   const double g_z = t[2] - t[8];
@@ -172,7 +172,7 @@ Verdict triage_remaining_axes(const double* t, const double* low, const double* 
   TwoLanes gaps = gap(f_y, f_z, v_y, v_z, h_y, h_z, 0.5 * n_x);
   gaps = larger(gaps, gap(f_z, f_x, v_z, v_x, h_z, h_x, 0.5 * n_y));
   gaps = larger(gaps, gap(f_x, f_y, v_x, v_y, h_x, h_y, 0.5 * n_z));
-  // Axes x and y of the third edge together; z twice.
+  // Axes x and y of the third edge are asked together; z is asked twice.
   const TwoLanes g_yz{g_xy[1], g_z}, g_zx{g_z, g_xy[0]};
   const TwoLanes w_yz{w_xy[1], w_z}, w_zx{w_z, w_xy[0]};
   const TwoLanes h_yz{half_xy[1], half_z}, h_zx{half_z, half_xy[0]};

@@ -8,7 +8,7 @@
 namespace graze::narrowphase {
 namespace {
 
-/// A box by its two extreme corners, of the same numbers as the triangle's.
+/// Holds a box by its two extreme corners, in the same numbers as the triangle's.
 template <typename Number>
 struct BoxCorners {
   const Number* min;
@@ -24,16 +24,16 @@ bool is_apart_along_box_axis(const Corners<Number>& triangle, const BoxCorners<N
   return std::min({a, b, c}) > box.max[i] || std::max({a, b, c}) < box.min[i];
 }
 
-/// The corner of the rectangle farthest to the left of the direction from `a` to `b`. Comparing
-/// coordinates gives the exact signs of their difference.
+/// Returns the corner of the rectangle farthest to the left of the direction from `a` to `b`.
+/// Comparing coordinates gives the exact signs of their difference.
 template <typename Point>
 Point leftmost_corner(Point a, Point b, Point min, Point max) {
   return {b.y > a.y ? min.x : max.x, b.x > a.x ? max.y : min.y};
 }
 
-/// In the projection along a box axis, an edge line of the triangle separates it from the box's
-/// rectangle. These are the nine axes e_i x f_j of the paper, but only their halves beyond the
-/// edge: in a plane two convex polygons that are apart have an edge line of one with the other
+/// True if, in the projection along a box axis, an edge line of the triangle separates it from the
+/// box's rectangle. These are the nine axes e_i x f_j of the paper, but only their halves beyond
+/// the edge: in a plane two convex polygons that are apart have an edge line of one with the other
 /// beyond it, so that the halves beyond the opposite vertex are never needed.
 template <typename Point>
 bool is_apart_along_edges(const Point (&corner)[3], Sign turn, Point min, Point max) {
@@ -49,9 +49,9 @@ bool is_apart_along_edges(const Point (&corner)[3], Sign turn, Point min, Point 
   return false;
 }
 
-/// The plane of the triangle separates it from the box: the two vertices of the box diagonal
-/// nearest to the normal are on one side. Without a normal all signs are zero, and so is the
-/// answer.
+/// True if the plane of the triangle separates it from the box: the two vertices of the box
+/// diagonal nearest to the normal are on one side. Without a normal all signs are zero, and so is
+/// the answer.
 template <typename Number>
 bool is_apart_along_normal(const Corners<Number>& triangle, const Sign (&normal)[3],
                            const BoxCorners<Number>& box) {

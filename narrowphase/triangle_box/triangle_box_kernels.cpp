@@ -1,6 +1,6 @@
-// The triage of triangles and boxes for each SIMD target that the compiler knows; the widest that
-// the CPU has is chosen when the program runs. Operation by operation what triangle_box_triage.cpp
-// does, in its order and never fused, so that all of them round alike.
+// Makes the triage of triangles and boxes for each SIMD target that the compiler knows; the widest
+// that the CPU has is chosen when the program runs. Operation by operation it does what
+// triangle_box_triage.cpp does, in its order and never fused, so that all of them round alike.
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "graze/narrowphase/triangle_box/triangle_box_kernels.cpp"
@@ -42,13 +42,13 @@ HWY_INLINE Vector sum_of(const Vector& a, const Vector& b) {
   return {hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z)};
 }
 
-/// (a0 + a1 + a2 + a3) + (b0 + b1) + c of absolute values.
+/// Returns (a0 + a1 + a2 + a3) + (b0 + b1) + c of absolute values.
 HWY_INLINE Lanes sum_of_sizes(Lanes a0, Lanes a1, Lanes a2, Lanes a3, Lanes b0, Lanes b1, Lanes c) {
   const Lanes a = hn::Add(hn::Add(hn::Abs(a0), hn::Abs(a1)), hn::Add(hn::Abs(a2), hn::Abs(a3)));
   return hn::Add(hn::Add(a, hn::Add(hn::Abs(b0), hn::Abs(b1))), hn::Abs(c));
 }
 
-/// In the order of triangle_box_triage.cpp.
+/// Adds up sizes in the order of triangle_box_triage.cpp.
 HWY_INLINE Lanes sum_of_sizes(const TriangleLanes& t, const Box& box) {
   const Lanes even = sum_of_sizes(t.a.x, t.a.z, t.b.y, t.c.x, box.low.x, box.high.x, box.low.z);
   const Lanes odd = sum_of_sizes(t.a.y, t.b.x, t.b.z, t.c.y, box.low.y, box.high.y, box.high.z);
@@ -70,7 +70,7 @@ HWY_INLINE Mask is_apart_along_box_axes(const TriangleLanes& t, const Box& box) 
                 is_apart_along(t.a.z, t.b.z, t.c.z, box.low.z, box.high.z));
 }
 
-/// An edge, its size, and one of its ends from the box's centre.
+/// Holds an edge, its size, and one of its ends as seen from the box's centre.
 struct Edge {
   Vector f, size, v;
 };
@@ -80,7 +80,7 @@ HWY_INLINE Edge edge(const Vector& from, const Vector& to, const Vector& centre)
   return {f, size_of(f), difference(from, centre)};
 }
 
-/// gap() of triangle_box_triage.cpp; `size_m` is the size of `half_m`.
+/// Returns gap() of triangle_box_triage.cpp; `size_m` is the size of `half_m`.
 HWY_INLINE Lanes gap(Lanes f_j, Lanes f_k, Lanes size_j, Lanes size_k, Lanes v_j, Lanes v_k,
                      Lanes h_j, Lanes h_k, Lanes half_m, Lanes size_m) {
   const Lanes p = hn::Sub(hn::Mul(f_k, v_j), hn::Mul(f_j, v_k));
@@ -88,7 +88,7 @@ HWY_INLINE Lanes gap(Lanes f_j, Lanes f_k, Lanes size_j, Lanes size_k, Lanes v_j
   return hn::Sub(hn::Abs(hn::Sub(p, half_m)), hn::Add(size_m, radius));
 }
 
-/// The largest gap along the three axes that an edge makes.
+/// Returns the largest gap along the three axes that an edge makes.
 HWY_INLINE Lanes largest_gap(const Edge& e, const Vector& h, const Vector& half_n,
                              const Vector& size_n) {
   const Lanes x = gap(e.f.y, e.f.z, e.size.y, e.size.z, e.v.y, e.v.z, h.y, h.z, half_n.x, size_n.x);

@@ -1,5 +1,5 @@
-// Akenine-Möller's test in rounded arithmetic. The box axes, and a vertex inside the box, are
-// decided here by comparing inputs, exactly; the remaining axes in remaining_axes.cpp.
+// Makes Akenine-Möller's test in rounded arithmetic. The box axes, and a vertex inside the box, are
+// decided here by comparing inputs, exactly; the remaining axes are decided in remaining_axes.cpp.
 
 #include <graze/narrowphase/lanes/two_lanes.h>
 #include <graze/narrowphase/lanes/verdicts.h>
@@ -13,7 +13,8 @@
 namespace graze::narrowphase {
 namespace {
 
-/// The sum of the absolute values of all coordinates: infinite or NaN as soon as one of them is.
+/// Returns the sum of the absolute values of all coordinates: infinite or NaN as soon as one of
+/// them is.
 double sum_of_sizes(const double* t, const double* low, const double* high) {
   const TwoLanes sum = ((magnitude(load(t)) + magnitude(load(t + 2))) +
                         (magnitude(load(t + 4)) + magnitude(load(t + 6)))) +
@@ -26,7 +27,7 @@ bool is_ordered(const double* low, const double* high) {
   return (sign_bits(are_greater(load(low), load(high))) == 0) & (low[2] <= high[2]);
 }
 
-/// Without branches, because a CPU cannot predict them for random input.
+/// This has no branches, because a CPU cannot predict them for random input.
 bool is_apart_along_box_axes(const double* t, const double* low, const double* high) {
   const TwoLanes a = load(t), b = load(t + 3), c = load(t + 6);
   const TwoLanes above = are_greater(smaller(smaller(a, b), c), load(high));

@@ -13,8 +13,8 @@ bool contains(const Triangle& triangle, const Eigen::Vector3d& point) {
   return intersects_exactly({point, point, point}, triangle);
 }
 
-/// Both vertices are strictly on one side of the plane of `plane`, which then holds no more of the
-/// edge between them nor of the triangle that they form with a point of the plane.
+/// True if both vertices are strictly on one side of the plane of `plane`, which then holds no more
+/// of the edge between them nor of the triangle that they form with a point of the plane.
 bool are_on_one_side(const Triangle& plane, const Eigen::Vector3d& p, const Eigen::Vector3d& q) {
   const double* a = plane.a.data();
   const double* b = plane.b.data();
@@ -32,7 +32,7 @@ bool leaves_into(const Triangle& from, const Triangle& into) {
          (from.c != from.a && contains(into, from.c));
 }
 
-/// The axis along which a triangle looks largest, or nearly so: any axis is right.
+/// Returns the axis along which a triangle looks largest, or nearly so: any axis is right.
 int broad_axis(const Triangle& triangle) {
   const double* a = triangle.a.data();
   const double* b = triangle.b.data();
@@ -46,16 +46,16 @@ int broad_axis(const Triangle& triangle) {
   return y > z ? 1 : 2;
 }
 
-/// On which side of the line from `from` to `to` a point is: 1 or -1 if that is sure, else 0.
+/// Says on which side of the line from `from` to `to` a point is: 1 or -1 if that is sure, else 0.
 int sure_side(Point2 from, Point2 to, Point2 point) {
   const std::optional<Sign> side = orientation_2d_filter(from, to, point);
   return side.has_value() ? static_cast<int>(*side) : 0;
 }
 
-/// Whether, seen along the axis, a line through the shared vertex surely has one triangle on one
-/// side, where an edge may lie on it, and all of the other but the vertex strictly beyond. Then no
-/// other point of the two is the same: all of the other one's lie beyond the line. If any line does
-/// so, one along an edge does.
+/// True if, seen along the axis, a line through the shared vertex surely has one triangle on one
+/// side, where an edge may lie on it, and all of the other but the vertex strictly beyond. Then the
+/// two share no other point: all of the other's points lie beyond the line. If any line does so,
+/// one along an edge does.
 bool are_seen_apart(const Triangle& triangle_a, const Triangle& triangle_b, int axis) {
   const FanSides sides =
       fan_filter(project(triangle_a.a.data(), axis), project(triangle_a.b.data(), axis),
@@ -69,7 +69,7 @@ bool are_seen_apart(const Triangle& triangle_a, const Triangle& triangle_b, int 
   return (a != 0 && is_b_beyond) || (b != 0 && is_a_beyond);
 }
 
-/// Whether, seen along the axis, the line of the shared edge surely has the rest of the two on
+/// True if, seen along the axis, the line of the shared edge surely has the rest of the two on
 /// either side of it.
 bool are_seen_beside(const Triangle& triangle_a, const Triangle& triangle_b, int axis) {
   const Point2 from = project(triangle_a.a.data(), axis), to = project(triangle_a.b.data(), axis);
@@ -91,7 +91,7 @@ bool is_degenerate(const Triangle& triangle) {
 }
 
 bool intersect_beyond_vertex(const Triangle& triangle_a, const Triangle& triangle_b) {
-  // Nearly all neighbours on a surface, without anything exact.
+  // This decides nearly all neighbours on a surface without anything exact.
   const int axis = broad_axis(triangle_a);
   if (are_seen_apart(triangle_a, triangle_b, axis)) return false;
   const int other_axis = broad_axis(triangle_b);
@@ -108,7 +108,7 @@ bool intersect_beyond_edge(const Triangle& triangle_a, const Triangle& triangle_
   if (orientation_3d(a.point[0], a.point[1], a.point[2], b.point[2]) != Sign::Zero) return false;
   const bool is_segment_a = is_degenerate(triangle_a);
   const bool is_segment_b = is_degenerate(triangle_b);
-  // The line of the edge holds all of a segment, and of a triangle nothing but the edge.
+  // The line of the edge holds all of a segment, and nothing but the edge of a triangle.
   if (is_segment_a != is_segment_b) return false;
   if (is_segment_a) {
     const Triangle edge{triangle_a.a, triangle_a.b, triangle_a.b};

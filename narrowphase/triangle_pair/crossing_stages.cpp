@@ -24,7 +24,8 @@ namespace {
 
 using Vertices = Corners<double>;
 
-/// sides_of_plane() by the filter alone; nothing unless all signs are sure and none is zero.
+/// Returns sides_of_plane() by the filter alone, and nothing unless all signs are sure and none is
+/// zero.
 std::optional<PlaneSides> strict_sides_of_plane(const Vertices& plane, const Vertices& other) {
   PlaneSides sides;
   for (int i = 0; i < 3; ++i) {
@@ -51,7 +52,8 @@ Canonical canonical(const Vertices& corners, int apex, Sign other_side) {
   return {corners.point[apex], q, r};
 }
 
-/// Two triangles, each with vertices strictly on both sides of the other's plane.
+/// Returns two triangles, each with vertices strictly on both sides of the other's plane, as seen
+/// from their apexes.
 std::pair<Canonical, Canonical> canonical(const Vertices& a, const Vertices& b,
                                           const PlaneSides& sides_a, const PlaneSides& sides_b) {
   const Apex apex_a = find_apex(sides_a.sign);
@@ -59,7 +61,7 @@ std::pair<Canonical, Canonical> canonical(const Vertices& a, const Vertices& b,
   return {canonical(a, apex_a.index, apex_b.side), canonical(b, apex_b.index, apex_a.side)};
 }
 
-/// Whether a triangle without area, a segment with ends on different sides of the other's plane,
+/// True if a triangle without area, a segment with ends on different sides of the other's plane,
 /// pierces the inside of the other.
 bool pierces(const Vertices& segment, const PlaneSides& sides, const Vertices& triangle) {
   const double* u = segment.point[sides.first(Sign::Negative)];

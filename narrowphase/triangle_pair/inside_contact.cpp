@@ -20,13 +20,13 @@ Sign turn_of(const Point2 (&corners)[3]) {
   return orientation_2d(corners[0], corners[1], corners[2]);
 }
 
-/// Whether all points lie on the side `far` of the line, or on it.
+/// True if all points lie on the side `far` of the line, or on it.
 bool are_beyond(Point2 from, Point2 to, Sign far, std::span<const Point2> points) {
   return std::all_of(points.begin(), points.end(),
                      [&](Point2 point) { return orientation_2d(from, to, point) != -far; });
 }
 
-/// Whether the hull of up to three corners, which are no three of one line, meets the inside.
+/// True if the hull of up to three corners, no three of which are on one line, meets the inside.
 bool hull_meets_inside(std::span<const Point2> hull, const Point2 (&triangle)[3]) {
   const Sign turn = turn_of(triangle);
   for (int i = 0; i < 3; ++i) {

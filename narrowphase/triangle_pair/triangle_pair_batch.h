@@ -29,7 +29,7 @@ inline constexpr double kPairBound = 49 * 0x1p-53;
 inline constexpr double kSmallestPairVolume = 0x1p-850;
 inline constexpr double kLargestPairExtent = 0x1p+150;
 
-/// Pairs of triangles, coordinate by coordinate, for the triage of all at once.
+/// Holds pairs of triangles, coordinate by coordinate, for the triage of all at once.
 class TrianglePairBatch {
  public:
   static constexpr std::size_t kCapacity = 8;
@@ -40,54 +40,56 @@ class TrianglePairBatch {
   bool is_full() const { return size_ == kCapacity; }
   void clear() { size_ = 0; }
 
-  /// The batch must not be full.
+  /// Adds a pair to the batch, which must not be full.
   void add(const Triangle& triangle_a, const Triangle& triangle_b);
 
   Triangle triangle_a(std::size_t index) const;
   Triangle triangle_b(std::size_t index) const;
 
-  /// Coordinate `row` (x, y, z of a, b, c) of all triangles A or B.
+  /// Returns coordinate `row` (x, y, z of a, b, c) of all triangles A or B.
   const double* row_a(std::size_t row) const { return a_[row]; }
   const double* row_b(std::size_t row) const { return b_[row]; }
 
  private:
-  // Cleared by the first add(), so that kernels may compute with lanes that hold no pair; not
-  // before, because a query of meshes far apart adds none, and takes little longer than that.
+  // The first add() clears the rows, so that kernels may compute with lanes that hold no pair. They
+  // are not cleared before, because a query of meshes far apart adds none, and takes little longer
+  // than that.
   alignas(64) double a_[9][kCapacity];
   alignas(64) double b_[9][kCapacity];
   std::size_t size_ = 0;
   bool is_cleared_ = false;
 };
 
-/// What triage() says of each pair by its determinants, for the whole batch at once. Pairs that it
-/// leaves unsure go to decide_unsure(). The same on every SIMD target.
+/// Returns what triage() says of each pair by its determinants, for the whole batch at once. Pairs
+/// that it leaves unsure go to decide_unsure(). The verdicts are the same on every SIMD target.
 Verdicts triage(const TrianglePairBatch& batch);
 
-/// What can be known of two triangles without arithmetic, exactly: triangles that share a vertex
-/// touch, those whose boxes do not are apart. Not finite input is Unsure.
+/// Returns what can be known of two triangles without arithmetic, exactly: triangles that share a
+/// vertex touch, those whose boxes share no point are apart. Input that is not finite is Unsure.
 Verdict compare_coordinates(const Triangle& triangle_a, const Triangle& triangle_b);
 
-/// What decide() answers for a pair that the triage of a batch has left unsure. The rounded
+/// Returns what decide() answers for a pair that the triage of a batch has left unsure. The rounded
 /// determinants would be the same once more, so they are not computed again: coordinates are
 /// compared, which is exact and may show that the two are apart, or that they share a vertex; else
 /// the exact stage decides. Throws as decide() does.
 Decision decide_unsure(const Triangle& triangle_a, const Triangle& triangle_b, Touch touch);
 
-/// What intersects_exactly() falls back on where coordinates do not fit into integers of 60 bits:
-/// its answer for any coordinates that are finite.
+/// Answers where coordinates do not fit into the integers of 60 bits of intersects_exactly(): for
+/// any coordinates that are finite.
 bool intersects_by_expansions(const Triangle& triangle_a, const Triangle& triangle_b);
 
-/// Bit i is set if pair i is surely apart because one triangle is strictly on one side of the
-/// other's plane: the first half of triage(), for less time. The same on every SIMD target.
+/// Returns bits: bit i is set if pair i is surely apart because one triangle is strictly on one
+/// side of the other's plane. This is the first half of triage(), for less time. The bits are the
+/// same on every SIMD target.
 std::uint32_t find_apart(const TrianglePairBatch& batch);
 
-/// How many elements one Verdicts of the functions below stands for.
+/// The number of elements that one Verdicts of the functions below stands for.
 inline constexpr std::size_t kVerdictsBlock = 8;
 
-/// One triangle against each of many: verdicts[i] becomes those of elements 8 i to 8 i + 7.
+/// Tests one triangle against each of many: verdicts[i] becomes those of elements 8 i to 8 i + 7.
 void triage(const Triangle& triangle, const TriangleRows& many, Verdicts* verdicts);
 
-/// Pairs: element i of one against element i of the other, which is as long.
+/// Tests pairs: element i of one against element i of the other, which is as long.
 void triage(const TriangleRows& triangles_a, const TriangleRows& triangles_b, Verdicts* verdicts);
 
 }  // namespace graze::narrowphase

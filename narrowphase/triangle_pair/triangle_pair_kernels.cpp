@@ -1,5 +1,5 @@
-// The triage of triangle pairs for each SIMD target that the compiler knows; the widest that the
-// CPU has is chosen when the program runs. Operation by operation what
+// Makes the triage of triangle pairs for each SIMD target that the compiler knows; the widest that
+// the CPU has is chosen when the program runs. Operation by operation it does what
 // triangle_triangle_triage.cpp does, in its order and never fused, so that all of them round alike.
 
 #undef HWY_TARGET_INCLUDE
@@ -19,9 +19,9 @@ struct TriangleLanes {
   Vector a, b, c;
 };
 
-/// The signs of three vertices beside a plane.
+/// Holds the signs of three vertices beside a plane.
 struct SideMasks {
-  Mask is_sure;  ///< of all three
+  Mask is_sure;  ///< set where all three signs are sure
   Mask a, b, c;  ///< set where the vertex is on the negative side
   HWY_INLINE Mask are_equal() const { return hn::Not(hn::Or(hn::Xor(a, b), hn::Xor(a, c))); }
 };
@@ -68,7 +68,7 @@ HWY_INLINE Vector chosen(Mask first, const Vector& a, Mask second, const Vector&
           hn::IfThenElse(first, a.z, hn::IfThenElse(second, b.z, c.z))};
 }
 
-/// Which vertex is the apex (the third, if neither of these), and on which side it lies.
+/// Says which vertex is the apex (the third, if neither of these), and on which side it lies.
 struct ApexLanes {
   Mask is_first, is_second, is_negative;
 };
@@ -82,7 +82,7 @@ struct Sure {
   Mask apart, touching;
 };
 
-/// triage_intervals(), for lanes whose signs are sure and not equal.
+/// Answers as triage_intervals() does, for lanes whose signs are sure and not equal.
 HWY_INLINE Sure triage_intervals(const TriangleLanes& s, const SideMasks& sides_s,
                                  const TriangleLanes& t, const SideMasks& sides_t, Lanes bound) {
   const ApexLanes apex_s = apex(sides_s);
@@ -139,7 +139,7 @@ HWY_INLINE TriangleLanes load(const Rows& rows, std::size_t first) {
           {rows.load(6, first), rows.load(7, first), rows.load(8, first)}};
 }
 
-/// The verdicts of kAtOnce pairs, whose rows may be read whole.
+/// Returns the verdicts of kAtOnce pairs, whose rows may be read whole.
 template <typename RowsA, typename RowsB>
 HWY_INLINE Verdicts triage_at_once(const RowsA& a, const RowsB& b, std::size_t first) {
   Verdicts found;

@@ -21,7 +21,8 @@ bool intersects(const Triangle& triangle_a, const Triangle& triangle_b) {
 namespace narrowphase {
 namespace {
 
-/// Zero times what is not finite is NaN, and so is a sum that holds one.
+/// True if all coordinates are finite: zero times any other value is NaN, and so is a sum that
+/// holds one.
 bool is_finite(const double* corners) {
   double sum = 0;
   for (int i = 0; i < 9; ++i)
@@ -50,11 +51,11 @@ bool are_boxes_apart(const double* a, const double* b) {
   return is_apart;
 }
 
-// The exact stage: Guigue and Devillers' test by exact signs, for coordinates that are doubles, or
-// integers (fixed_point.h), and all that it leaves out: triangles in one plane, segments and
-// points.
+// The exact stage is Guigue and Devillers' test by exact signs, for coordinates that are doubles,
+// or integers (fixed_point.h), with all that the paper leaves out: triangles in one plane, segments
+// and points.
 
-/// Whether two triangles with area in different planes share a point (Guigue and Devillers, section
+/// True if two triangles with area in different planes share a point (Guigue and Devillers, section
 /// 3).
 template <typename Number>
 bool meet_in_space(const Corners<Number>& a, const Corners<Number>& b, const PlaneSides& sides_a,
@@ -74,7 +75,7 @@ bool meet_in_space(const Corners<Number>& a, const Corners<Number>& b, const Pla
          orientation_3d(p_a, r_a, r_b, p_b) != Sign::Positive;
 }
 
-/// Whether a closed segment that is not in the plane of a triangle with area shares a point with
+/// True if a closed segment that is not in the plane of a triangle with area shares a point with
 /// that triangle: so it does if its ends are not strictly on one side of the plane and its line
 /// passes no two of the edges on different sides.
 template <typename Number>
@@ -91,7 +92,7 @@ bool segment_meets(const Number* u, Sign side_u, const Number* v, Sign side_v,
   return !(has_positive && has_negative);
 }
 
-/// Whether a triangle with area shares a point with one without, which is the union of its edges.
+/// True if a triangle with area shares a point with one without, which is the union of its edges.
 /// `sides` are those of the latter's vertices, not all in the plane nor all on one side of it.
 template <typename Number>
 bool any_edge_meets(const Corners<Number>& without_area, const PlaneSides& sides,
@@ -118,7 +119,7 @@ bool any_edges_meet(const Corners<Number>& a, const Corners<Number>& b) {
   return false;
 }
 
-/// The same for two triangles in one plane, or of which at least one has no area.
+/// Decides the same for two triangles in one plane, or of which at least one has no area.
 template <typename Number>
 bool meet_in_plane_or_without_area(const Corners<Number>& a, const Corners<Number>& b,
                                    const PlaneSides& sides_a, const PlaneSides& sides_b) {

@@ -1,5 +1,5 @@
-// Guigue and Devillers' test in rounded arithmetic, with one error bound for all determinants of a
-// pair. Where determinants cannot decide, comparing coordinates may: that is exact.
+// Makes Guigue and Devillers' test in rounded arithmetic, with one error bound for all determinants
+// of a pair. Where determinants cannot decide, comparing coordinates may: that is exact.
 
 #include <graze/narrowphase/lanes/two_lanes.h>
 #include <graze/narrowphase/lanes/verdicts.h>
@@ -15,7 +15,7 @@ TwoVectors points(const double* a, const double* b) {
   return {TwoLanes{a[0], b[0]}, TwoLanes{a[1], b[1]}, TwoLanes{a[2], b[2]}};
 }
 
-/// Corner `i` of both triangles: lane 0 is A's, lane 1 is B's.
+/// Returns corner `i` of both triangles: lane 0 is A's, lane 1 is B's.
 TwoVectors corner_of_both(const double* a, const double* b, int i) {
   return points(a + 3 * i, b + 3 * i);
 }
@@ -24,16 +24,16 @@ TwoVectors swapped(const TwoVectors& v) {
   return {narrowphase::swapped(v.x), narrowphase::swapped(v.y), narrowphase::swapped(v.z)};
 }
 
-/// Largest minus smallest of six, the same in both lanes.
+/// Returns the largest minus the smallest of six, the same in both lanes.
 TwoLanes extent(TwoLanes a, TwoLanes b, TwoLanes c) {
   const TwoLanes high = larger(larger(a, b), c);
   const TwoLanes low = smaller(smaller(a, b), c);
   return larger(high, narrowphase::swapped(high)) - smaller(low, narrowphase::swapped(low));
 }
 
-/// What the signs of three vertices beside a plane, of which two agree and one does not, say about
-/// their order. Bit i of an index is set if vertex i is on the negative side; offsets are to the
-/// first coordinates of the apex and of the two that follow it.
+/// Holds what the signs of three vertices beside a plane, of which two agree and one does not, say
+/// about their order. Bit i of an index is set if vertex i is on the negative side; offsets are to
+/// the first coordinates of the apex and of the two that follow it.
 struct Order {
   std::uint8_t apex, next, last;
 };
@@ -45,12 +45,12 @@ constexpr bool is_apex_negative(unsigned signs) {
   return (kOneNegative >> signs & 1) != 0;
 }
 
-/// Figure 5 of the paper: the intervals that two crossing triangles cut out of the line that their
-/// planes share overlap unless one ends before the other begins. The paper turns both triangles
-/// until each has its apex on the positive side of the other's plane, and asks for the signs
-/// of [p_a q_a p_b q_b] and [p_a r_a r_b p_b]. Turning one of them instead of both or none, and
-/// turning A alone, change no more than the signs and which of q_b and r_b goes with q_a: the two
-/// determinants are the lanes.
+/// This is figure 5 of the paper: the intervals that two crossing triangles cut out of the line
+/// that their planes share overlap unless one ends before the other begins. The paper turns both
+/// triangles until each has its apex on the positive side of the other's plane, and asks for the
+/// signs of [p_a q_a p_b q_b] and [p_a r_a r_b p_b]. Turning one of them instead of both or none,
+/// and turning A alone, change no more than the signs and which of q_b and r_b goes with q_a: the
+/// two determinants are the lanes.
 Verdict triage_intervals(const double* a, unsigned signs_a, const double* b, unsigned signs_b,
                          double bound) {
   const Order order_a = kOrders[signs_a];
@@ -72,7 +72,8 @@ Verdict triage_intervals(const double* a, unsigned signs_a, const double* b, uns
 }  // namespace
 
 /// A coordinate that is not finite makes all determinants that it enters infinite or NaN, and with
-/// infinity the extents are not in range; a comparison with NaN is never passed: Unsure.
+/// infinity the extents are not in range; a comparison with NaN is never passed, so that the
+/// verdict is Unsure.
 Verdict triage(const Triangle& triangle_a, const Triangle& triangle_b) {
   const double* a = coordinates(triangle_a);
   const double* b = coordinates(triangle_b);

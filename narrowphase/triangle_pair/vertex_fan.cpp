@@ -1,10 +1,10 @@
 // A fan is looked at along some direction d, along which all of its triangles surely turn the same
 // way: d . (r x s) > 0 for the two rays of each. Let the rays' angles as they are seen, added up
-// from the first ray's on, be A_i: each is larger than the one before, by less than half a turn.
-// If all add up to one turn of a closed fan, or to less of an open one, then the triangles as they
-// are seen are sectors side by side: two have a ray in common if one follows the other, else only
-// the vertex. Seen along d, no triangle has two points behind each other, so that what two of them
-// have in common is seen in what their sectors have in common: that ray is the edge, and no more.
+// from the first ray's on, be A_i: each is larger than the one before, by less than half a turn. If
+// all add up to one turn of a closed fan, or to less of an open one, then the triangles as they are
+// seen are sectors side by side: two have a ray in common if one follows the other, else only the
+// vertex. Seen along d, no triangle has two points behind each other, so that what two of them have
+// in common is seen in what their sectors have in common: that ray is the edge, and no more.
 //
 // On which side of the first ray the others are says how far A_i has come. From 0 to a half turn it
 // is on the positive side, from there to a whole one on the negative. While no ray that is surely
@@ -12,7 +12,7 @@
 // side for sure, as two edges along one line are, may be behind half a turn or behind a whole one:
 // behind a positive ray, it is less than a whole turn on, and if a negative one follows, this is
 // less than a turn and a half on, hence less than one. So one such ray may stand there, and nowhere
-// else. Of a closed fan the last triangle then leads from less than one turn to a multiple of one.
+// else. In a closed fan the last triangle then leads from less than one turn to a multiple of one.
 
 #include <graze/narrowphase/derived/sign_of_products.h>
 #include <graze/narrowphase/triangle_pair/vertex_fan.h>
@@ -81,7 +81,7 @@ class SeenFan {
   }
 
  private:
-  /// And the bound of all products of it and two rays, in whatever order.
+  /// Sets the direction, and the bound of all products of it and two rays, in whatever order.
   void set_direction(const Arrow& direction) {
     direction_ = direction;
     const double size = size_of(direction);

@@ -14,7 +14,7 @@ class AabbList {
  public:
   std::size_t size() const { return rows_.size(); }
 
-  /// Of `index` below size().
+  /// Returns the box at `index`, which is below size().
   Aabb operator[](std::size_t index) const;
 
   /// Throws InputError, which names the index that the box would have had, for a bad box. Amortised
@@ -23,7 +23,7 @@ class AabbList {
 
   void clear() { rows_.clear(); }
 
-  /// A view for tests against spheres; the list must outlive it unchanged.
+  /// Returns a view for tests against spheres; the list must outlive it unchanged.
   AabbArray view() const;
 
  private:
@@ -34,15 +34,15 @@ class AabbList {
   narrowphase::VolumeRows<6> rows_;  ///< minimum x, y, z, maximum x, y, z
 };
 
-// Many tests at once, a SIMD width at a time on whatever SIMD the CPU has: hits[i] becomes 1 or 0,
-// what intersects() answers for element i alone, on every SIMD target. `hits` has the length of the
-// list, which may be 0. Linear time, no allocation. They throw InputError for lengths that differ
-// and for a bad box.
+// These functions make many tests at once, a SIMD width at a time on whatever SIMD the CPU has:
+// hits[i] becomes 1 or 0, what intersects() answers for element i alone, on every SIMD target.
+// `hits` has the length of the list, which may be 0. They take linear time, allocate nothing, and
+// throw InputError for lengths that differ and for a bad box.
 
-/// One box against each of many.
+/// Tests one box against each of many.
 void intersects(const Aabb& box, const AabbList& boxes, std::span<std::uint8_t> hits);
 
-/// Pairs: element i of one list against element i of the other.
+/// Tests pairs: element i of one list against element i of the other.
 void intersects(const AabbList& boxes_a, const AabbList& boxes_b, std::span<std::uint8_t> hits);
 
 }  // namespace graze

@@ -7,8 +7,8 @@
 
 namespace graze {
 
-// All of these throw InputError (or PoseError, for an oriented box) for a bad volume or a point
-// that is not finite.
+// All functions below throw InputError (or PoseError, for an oriented box) for a bad volume or a
+// point that is not finite.
 
 /// True if and only if the point lies in the closed box: exact.
 bool contains(const Aabb& box, const Eigen::Vector3d& point);

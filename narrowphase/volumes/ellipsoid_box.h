@@ -15,7 +15,8 @@ bool intersects(const Aabb& box, const Ellipsoid& ellipsoid);
 
 namespace narrowphase {
 
-/// What intersects() answers for valid volumes, with the stage that decided. Does not check them.
+/// Returns what intersects() answers for valid volumes, with the stage that decided. Does not check
+/// them.
 Decision decide(const Ellipsoid& ellipsoid, const Aabb& box);
 
 }  // namespace narrowphase

@@ -5,25 +5,26 @@
 
 namespace graze {
 
-// The variants of Arvo's test ("A simple method for box-sphere intersection testing", Graphics
-// Gems, 1990). Each is true if and only if the two sets share a point, in real arithmetic, on their
-// doubles. All throw InputError as intersects(Sphere, Aabb) does.
+// These functions are the variants of Arvo's test ("A simple method for box-sphere intersection
+// testing", Graphics Gems, 1990). Each is true if and only if the two sets share a point, in real
+// arithmetic, on their doubles. All throw InputError as intersects(Sphere, Aabb) does.
 
-/// The solid ball and the surface of the box.
+/// Tests the solid ball against the surface of the box.
 bool intersects(const Sphere& sphere, const HollowAabb& box);
 bool intersects(const HollowAabb& box, const Sphere& sphere);
 
-/// The surface of the ball and the solid box.
+/// Tests the surface of the ball against the solid box.
 bool intersects(const HollowSphere& sphere, const Aabb& box);
 bool intersects(const Aabb& box, const HollowSphere& sphere);
 
-/// The two surfaces.
+/// Tests the surface of the ball against the surface of the box.
 bool intersects(const HollowSphere& sphere, const HollowAabb& box);
 bool intersects(const HollowAabb& box, const HollowSphere& sphere);
 
 namespace narrowphase {
 
-/// What intersects() answers for valid volumes, with the stage that decided. These do not check.
+/// Returns what intersects() answers for valid volumes, with the stage that decided. Does not check
+/// them.
 Decision decide(const Sphere& sphere, const HollowAabb& box);
 Decision decide(const HollowSphere& sphere, const Aabb& box);
 Decision decide(const HollowSphere& sphere, const HollowAabb& box);

@@ -7,12 +7,12 @@ namespace graze {
 
 /// The surface of a ball alone: the points at exactly `radius` from `centre`.
 struct HollowSphere {
-  Sphere sphere;  ///< whose surface it is
+  Sphere sphere;  ///< the ball whose surface it is
 };
 
-/// The surface of a box alone. That of a flat box is the whole box.
+/// The surface of a box alone. The surface of a flat box is the whole box.
 struct HollowAabb {
-  Aabb box;  ///< whose surface it is
+  Aabb box;  ///< the box whose surface it is
 };
 
 }  // namespace graze

@@ -13,7 +13,7 @@ class KDopList {
  public:
   std::size_t size() const { return rows_.size(); }
 
-  /// Of `index` below size().
+  /// Returns the k-DOP at `index`, which is below size().
   KDop<18> operator[](std::size_t index) const;
 
   /// Throws InputError, which names the index that the k-DOP would have had, for a bad one.
@@ -30,12 +30,13 @@ class KDopList {
   narrowphase::VolumeRows<18> rows_;  ///< nine minima, nine maxima
 };
 
-// Many tests at once, as in aabb_list.h; the answers are those of intersects() for two k-DOPs.
+// These functions make many tests at once, as in aabb_list.h; the answers are those of intersects()
+// for two k-DOPs.
 
-/// One k-DOP against each of many.
+/// Tests one k-DOP against each of many.
 void intersects(const KDop<18>& kdop, const KDopList& kdops, std::span<std::uint8_t> hits);
 
-/// Pairs: element i of one list against element i of the other.
+/// Tests pairs: element i of one list against element i of the other.
 void intersects(const KDopList& kdops_a, const KDopList& kdops_b, std::span<std::uint8_t> hits);
 
 }  // namespace graze

@@ -14,7 +14,7 @@ class ObbList {
  public:
   std::size_t size() const { return rows_.size(); }
 
-  /// Of `index` below size().
+  /// Returns the box at `index`, which is below size().
   Obb operator[](std::size_t index) const;
 
   /// Throws InputError or PoseError, which names the index that the box would have had, for a bad
@@ -31,13 +31,13 @@ class ObbList {
   narrowphase::VolumeRows<narrowphase::kObbRows> rows_;  ///< in the order of narrowphase::ObbRow
 };
 
-// Many tests at once, as in aabb_list.h; the answers are bit for bit those of intersects() for two
-// oriented boxes, only "apart" being sure.
+// These functions make many tests at once, as in aabb_list.h; the answers are bit for bit those of
+// intersects() for two oriented boxes, only "apart" being sure.
 
-/// One box against each of many.
+/// Tests one box against each of many.
 void intersects(const Obb& box, const ObbList& boxes, std::span<std::uint8_t> hits);
 
-/// Pairs: element i of one list against element i of the other.
+/// Tests pairs: element i of one list against element i of the other.
 void intersects(const ObbList& boxes_a, const ObbList& boxes_b, std::span<std::uint8_t> hits);
 
 }  // namespace graze

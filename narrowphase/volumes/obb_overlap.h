@@ -14,11 +14,12 @@ namespace graze {
 /// separates them are within 3e-14 of the sum of their half extents, along that axis; two edges at
 /// an angle of theta, within 3e-14 / sin(theta) of it. A deviation of d from rotations adds about
 /// 20 d. Boxes whose half extents add up to more than 2^1000 always come out as overlapping.
-/// Symmetric. Throws InputError or PoseError for an invalid box.
+/// Swapping the boxes changes nothing. Throws InputError or PoseError for an invalid box.
 /// Gottschalk, Lin, Manocha, "OBBTree", 1996; "Real-Time Rendering", 3rd ed., 16.13.5.
 bool intersects(const Obb& box_a, const Obb& box_b);
 
-/// Likewise, for an axis-aligned box given by its minimum and maximum.
+/// Tests an axis-aligned box, given by its minimum and maximum, against an oriented one in the same
+/// way.
 bool intersects(const Aabb& aligned, const Obb& oriented);
 bool intersects(const Obb& oriented, const Aabb& aligned);
 

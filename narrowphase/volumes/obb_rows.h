@@ -7,9 +7,9 @@
 
 namespace graze::narrowphase {
 
-/// What the test knows of an oriented box, in the order of kernels' rows: the sum of its half
-/// extents; half extents 1 to 3; translation 4 to 6; the matrix's columns, 7 to 15; its deviation
-/// from a rotation.
+/// The numbers that the test knows of an oriented box, in the order of kernels' rows: the sum of
+/// its half extents; half extents 1 to 3; translation 4 to 6; the matrix's columns, 7 to 15; its
+/// deviation from a rotation.
 inline constexpr std::size_t kObbRows = 17;
 using ObbRow = std::array<double, kObbRows>;
 
@@ -19,16 +19,18 @@ inline constexpr std::size_t kTranslationRow = 4;
 inline constexpr std::size_t kAxisRow = 7;
 inline constexpr std::size_t kDeviationRow = 16;
 
-/// Of a valid box, and of one whose deviation from a rotation bvh::check_box() has returned.
+/// Returns the row of a valid box, and of one whose deviation from a rotation bvh::check_box() has
+/// returned.
 ObbRow row_of(const Obb& box);
 ObbRow row_of(const Obb& box, double deviation);
 Obb obb_of(const ObbRow& row);
 
-/// Which of two boxes is A: the larger one, as the slack charges B's size more; of equal ones, by
-/// the first number that differs. So the test does not depend on the order of its arguments.
+/// True if the second of two boxes is to be A: the larger one is, as the slack charges B's size
+/// more; of equal ones, by the first number that differs. So the test does not depend on the order
+/// of its arguments.
 bool is_second_first(const ObbRow& box_a, const ObbRow& box_b);
 
-/// False is sure (obb_slack.h).
+/// Only false is sure (obb_slack.h).
 bool may_overlap(const ObbRow& box_a, const ObbRow& box_b);
 bool may_overlap(const Aabb& aligned, const ObbRow& oriented);
 

@@ -8,21 +8,21 @@
 
 namespace graze {
 
-/// Spheres, coordinate by coordinate, metres: element i of each array, all of one length. A view:
-/// the caller keeps the memory.
+/// Holds spheres coordinate by coordinate, metres: element i of each array, all of one length. A
+/// view: the caller keeps the memory.
 struct SphereArray {
-  std::span<const double> x;       ///< of the centres
-  std::span<const double> y;       ///< of the centres
-  std::span<const double> z;       ///< of the centres
-  std::span<const double> radius;  ///< not negative
+  std::span<const double> x;       ///< the centres' x
+  std::span<const double> y;       ///< the centres' y
+  std::span<const double> z;       ///< the centres' z
+  std::span<const double> radius;  ///< the radii, not negative
 
   std::size_t size() const { return x.size(); }
 };
 
-/// Axis-aligned boxes, likewise; arrays 0, 1, 2 are x, y, z.
+/// Holds axis-aligned boxes in the same way; arrays 0, 1, 2 are x, y, z.
 struct AabbArray {
   std::array<std::span<const double>, 3> min;  ///< the least x, y and z
-  std::array<std::span<const double>, 3> max;  ///< the greatest
+  std::array<std::span<const double>, 3> max;  ///< the greatest x, y and z
 
   std::size_t size() const { return min[0].size(); }
 };
@@ -33,7 +33,7 @@ namespace narrowphase {
 void check_lengths(const SphereArray& spheres, const char* what);
 void check_lengths(const AabbArray& boxes, const char* what);
 
-/// Element `index`, as it is and unchecked.
+/// Returns element `index` as it is, unchecked.
 Sphere element(const SphereArray& spheres, std::size_t index);
 Aabb element(const AabbArray& boxes, std::size_t index);
 

@@ -12,16 +12,18 @@ namespace graze {
 /// "Real-Time Rendering", 3rd ed., 16.13.1.
 bool intersects(const Sphere& sphere_a, const Sphere& sphere_b);
 
-/// True if and only if the point lies in the closed ball, likewise. Throws InputError for a bad
-/// sphere or a point that is not finite.
+/// True if and only if the point lies in the closed ball, in real arithmetic, on their doubles.
+/// Throws InputError for a bad sphere or a point that is not finite.
 bool contains(const Sphere& sphere, const Eigen::Vector3d& point);
 
 namespace narrowphase {
 
-/// What intersects() answers for valid spheres, with the stage that decided. Does not check them.
+/// Returns what intersects() answers for valid spheres, with the stage that decided. Does not check
+/// them.
 Decision decide(const Sphere& sphere_a, const Sphere& sphere_b);
 
-/// What contains() answers, likewise.
+/// Returns what contains() answers for a valid sphere, with the stage that decided. Does not check
+/// it.
 Decision decide_contains(const Sphere& sphere, const Eigen::Vector3d& point);
 
 }  // namespace narrowphase

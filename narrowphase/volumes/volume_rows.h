@@ -6,8 +6,9 @@
 
 namespace graze::narrowphase {
 
-/// Volumes of N doubles each, row by row for kernels: row r holds number r of all volumes. Rows are
-/// padded with zeros to whole blocks, so that kernels may compute with lanes that hold no volume.
+/// Stores volumes of N doubles each, row by row for kernels: row r holds number r of all volumes.
+/// Rows are padded with zeros to whole blocks, so that kernels may compute with lanes that hold no
+/// volume.
 template <std::size_t N>
 class VolumeRows {
  public:
@@ -31,7 +32,7 @@ class VolumeRows {
     return volume;
   }
 
-  /// If memory runs out the list is as before.
+  /// Adds a volume. If memory runs out the list stays as it was.
   void add(const std::array<double, N>& volume) {
     const std::size_t padded = (size_ / kAtOnce + 1) * kAtOnce;
     for (std::vector<double>& row : rows_)
@@ -52,7 +53,7 @@ class VolumeRows {
   std::size_t size_ = 0;
 };
 
-/// What kernels get of one.
+/// What kernels get of VolumeRows: the first element of each row.
 template <std::size_t N>
 using RowPointers = std::array<const double*, N>;
 

@@ -11,7 +11,7 @@ namespace {
 
 using Edge = std::pair<std::uint32_t, std::uint32_t>;
 
-/// Four triangles for each one, between the middles of its edges.
+/// Makes four triangles of each one, between the middles of its edges.
 std::vector<TriangleIndices> halved(const std::vector<TriangleIndices>& triangles,
                                     std::vector<Eigen::Vector3d>& vertices) {
   std::map<Edge, std::uint32_t> middles;
@@ -37,7 +37,7 @@ std::vector<TriangleIndices> halved(const std::vector<TriangleIndices>& triangle
 }  // namespace
 
 Mesh make_bin(const BinSize& size) {
-  // Rings from the middle of the floor over the rim to the middle below, and the two middles.
+  // Rings go from the middle of the floor over the rim to the middle below, with the two middles.
   const struct {
     double radius, z;
   } rings[] = {{size.floor_radius, 0},

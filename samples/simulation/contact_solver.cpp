@@ -15,7 +15,7 @@ const RigidBody* body_of(std::uint64_t index, std::span<const RigidBody> bodies)
   return index < bodies.size() ? &bodies[index] : nullptr;
 }
 
-/// Bodies that sleep stand like walls until they are woken.
+/// True if a body moves. Bodies that sleep stand like walls until they are woken.
 bool moves(const RigidBody* body) {
   return body != nullptr && !body->is_asleep;
 }
@@ -28,7 +28,7 @@ Vector3d turned_by_inertia(const RigidBody& body, const Vector3d& moment) {
   return body.turn * (body.mass->inverse_inertia * (body.turn.conjugate() * moment));
 }
 
-/// By how much an impulse of 1 along a direction at the arm speeds that point up along it.
+/// Returns by how much an impulse of 1 along a direction at the arm speeds that point up along it.
 double mobility(const RigidBody* body, const Vector3d& arm, const Vector3d& along) {
   if (!moves(body)) return 0;
   const Vector3d moment = arm.cross(along);
@@ -40,7 +40,8 @@ void push(RigidBody& body, const Vector3d& arm, const Vector3d& impulse) {
   body.spin += turned_by_inertia(body, arm.cross(impulse));
 }
 
-/// Where a body's mesh is in its own frame, as seen in the world now and from its centre of mass.
+/// Says where a body's mesh is in its own frame, as seen in the world now and from its centre of
+/// mass.
 struct Place {
   explicit Place(const RigidBody* body)
       : at(body ? body->at : Vector3d::Zero()),
@@ -74,7 +75,7 @@ void ContactSolver::take(const World& world, const WorldUpdate& update,
     touches_.erase(found);
   }
   tracker_.take(world, update);
-  std::vector<Point> before;  // of the pair
+  std::vector<Point> before;  // the points of the pair
   for (std::size_t i = 0; i < update.contacts.size(); ++i) {
     const BodyContact& contact = update.contacts[i];
     const std::span<const std::uint64_t> ids = tracker_.ids(i);
@@ -82,7 +83,7 @@ void ContactSolver::take(const World& world, const WorldUpdate& update,
     touch.a = world.user_data(contact.pair.a);
     touch.b = world.user_data(contact.pair.b);
     touch.friction = std::sqrt(friction_of(touch.a, bodies) * friction_of(touch.b, bodies));
-    // Parts of a compound stand one after the other.
+    // The contacts of a compound's parts stand one after the other.
     const auto is_of_pair = [&](std::size_t other) {
       return other < update.contacts.size() && update.contacts[other].pair == contact.pair;
     };
@@ -114,10 +115,10 @@ void ContactSolver::take(const World& world, const WorldUpdate& update,
   }
 }
 
-// What leans a little more to one side touches a little more there: of a round face the deepest
-// point moves by millimetres a step, and an impulse that moves with it turns the bodies. So the
-// contacts start from impulses that differ the least from their own and push and turn as much as
-// those of the step before did.
+// A body that leans a little more to one side touches a little more there: the deepest point of a
+// round face moves by millimetres a step, and an impulse that moves with it turns the bodies. So
+// the contacts start from impulses that differ the least from their own and push and turn as much
+// as those of the step before did.
 void ContactSolver::keep_push(const Pose& pose_a, const std::vector<Point>& before,
                               std::vector<Point>& points) {
   using Wrench = Eigen::Matrix<double, 6, 1>;  // a push, and its moment by a length
@@ -143,7 +144,7 @@ void ContactSolver::keep_push(const Pose& pose_a, const std::vector<Point>& befo
     wrenches.col(column) = wrench_of(points[i]);
     lacking -= points[i].impulse[0] * wrenches.col(column);
   }
-  constexpr double kAlike = 1e-3;  // of directions of wrenches that are one but for rounding
+  constexpr double kAlike = 1e-3;  // for directions of wrenches that are one but for rounding
   Eigen::CompleteOrthogonalDecomposition<Wrenches> least(wrenches.rows(), wrenches.cols());
   least.setThreshold(kAlike);
   const Eigen::VectorXd more = least.compute(wrenches).solve(lacking);
@@ -170,7 +171,7 @@ void ContactSolver::prepare(Touch& touch, std::span<const RigidBody> bodies) con
     for (int k = 0; k < 3; ++k) {
       const double yields =
           mobility(a, point.arm_a, point.axis[k]) + mobility(b, point.arm_b, point.axis[k]);
-      point.mass[k] = yields > 0 ? 1 / yields : 0;  // two that nothing moves
+      point.mass[k] = yields > 0 ? 1 / yields : 0;  // zero between two that nothing moves
     }
   }
 }
@@ -211,7 +212,7 @@ void ContactSolver::iterate(Touch& touch, std::span<RigidBody> bodies, bool is_p
   };
   for (Point& point : touch.points) {
     const double overlap = -point.gap - settings_.slop;
-    double wanted_speed = std::min(-point.gap, 0.0) / settings_.step;  // it may close, no more
+    double wanted_speed = std::min(-point.gap, 0.0) / settings_.step;  // the gap may close, no more
     double mass_share = 1, impulse_share = 0;
     if (is_pushing && overlap > 0) {
       wanted_speed = std::min(soft.rate * overlap, settings_.push_speed);

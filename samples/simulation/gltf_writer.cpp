@@ -15,7 +15,7 @@ namespace {
 
 using nlohmann::json;
 
-// glTF's numbers for what they say.
+// These are glTF's numbers for what their names say.
 constexpr int kFloat = 5126;
 constexpr int kUnsignedInt = 5125;
 
@@ -33,13 +33,14 @@ std::string base64(std::span<const unsigned char> bytes) {
   return text;
 }
 
-/// One buffer, and the views and accessors that say what is where in it. glTF is little-endian, as
-/// are the machines that this sample runs on.
+/// Holds one buffer, and the views and accessors that say what is where in it. glTF is
+/// little-endian, as are the machines that this sample runs on.
 class Buffer {
  public:
   explicit Buffer(json& file) : file_(file) {}
 
-  /// Rows of `width` numbers; glTF asks for the bounds of positions and times. Returns its index.
+  /// Adds rows of `width` numbers; glTF asks for the bounds of positions and times. Returns their
+  /// index.
   std::size_t add(std::span<const float> numbers, std::size_t width, bool has_bounds) {
     static constexpr const char* kTypes[] = {"", "SCALAR", "", "VEC3", "VEC4"};
     json accessor = begin(numbers, numbers.size() / width, kFloat, kTypes[width]);

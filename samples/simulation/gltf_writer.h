@@ -9,22 +9,22 @@
 
 namespace graze::samples {
 
-/// What the file calls a mesh, and its colour: red, green, blue from 0 to 1, linear.
+/// Holds a mesh, what the file calls it, and its colour: red, green, blue from 0 to 1, linear.
 struct GltfShape {
   std::string name;
   Mesh mesh;
   std::array<double, 3> colour;
 };
 
-/// A shape in a pose, or in one after the other: of `times[i]` in `poses[i]`. One pose stands
-/// still.
+/// Holds a shape in a pose, or in one after the other: in `poses[i]` at `times[i]`. With one pose
+/// it stands still.
 struct GltfBody {
   std::size_t shape;
   std::vector<Pose> poses;
 };
 
-/// What a file of animated glTF 2.0 holds: each shape once, a node for each body, and for each that
-/// moves two channels, its translation and its rotation.
+/// Holds what a file of animated glTF 2.0 does: each shape once, a node for each body, and for each
+/// that moves two channels, its translation and its rotation.
 struct GltfScene {
   std::vector<GltfShape> shapes;
   std::vector<GltfBody> bodies;

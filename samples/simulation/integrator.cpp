@@ -17,7 +17,7 @@ void advance(RigidBody& body, double seconds) {
 
 void precess(RigidBody& body, double seconds) {
   const Matrix3d& inertia = body.mass->inertia;
-  const Vector3d spin = body.turn.conjugate() * body.spin;  // in the body's frame
+  const Vector3d spin = body.turn.conjugate() * body.spin;  // the spin in the body's frame
   const auto crossing = [](const Vector3d& v) {
     Matrix3d m;
     m << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;

@@ -7,8 +7,8 @@ namespace graze::samples {
 /// Moves a body by its velocity and its spin for so many seconds.
 void advance(RigidBody& body, double seconds);
 
-/// Turns the spin as a body without torque does, whose inertia turns with it: one Newton step of
-/// the implicit Euler rule, which takes energy and adds none (Catto, "Numerical Methods", 2015).
+/// Changes the spin of a body without torque, whose inertia turns with it: one Newton step of the
+/// implicit Euler rule, which takes energy and adds none (Catto, "Numerical Methods", 2015).
 void precess(RigidBody& body, double seconds);
 
 }  // namespace graze::samples

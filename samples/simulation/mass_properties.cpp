@@ -7,9 +7,9 @@
 
 namespace graze::samples {
 
-// Of a tetrahedron with one corner at the origin and the others p, q, r, the volume is
-// det(p, q, r) / 6, the centre s / 4 with s = p + q + r, and the integral of x x^T is
-// det / 120 (s s^T + p p^T + q q^T + r r^T).
+// For a tetrahedron with one corner at the origin and the others p, q, r, the volume is det(p, q,
+// r) / 6, the centre s / 4 with s = p + q + r, and the integral of x x^T is det / 120 (s s^T + p
+// p^T + q q^T + r r^T).
 MassProperties mass_properties(const Mesh& mesh, double kilograms_per_cubic_metre) {
   double volume = 0;
   Eigen::Vector3d moment = Eigen::Vector3d::Zero();

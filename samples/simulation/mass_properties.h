@@ -4,11 +4,11 @@
 
 namespace graze::samples {
 
-/// Of a solid of one density, in the mesh's own frame.
+/// Holds the mass properties of a solid of one density, in the mesh's own frame.
 struct MassProperties {
   double mass;              ///< kg
-  Eigen::Vector3d centre;   ///< metres
-  Eigen::Matrix3d inertia;  ///< about the centre, kg m^2
+  Eigen::Vector3d centre;   ///< the centre of mass, metres
+  Eigen::Matrix3d inertia;  ///< the inertia about the centre, kg m^2
   Eigen::Matrix3d inverse_inertia;
 };
 

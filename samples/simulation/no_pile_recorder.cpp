@@ -1,4 +1,4 @@
-// Recordings when the samples are built without the component `record`: there are none.
+// Takes the place of recordings when the samples are built without the component `record`.
 
 #include <graze/bvh/error.h>
 

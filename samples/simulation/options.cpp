@@ -6,7 +6,7 @@
 namespace graze::samples {
 namespace {
 
-/// The whole text as a number; nothing, if it is none.
+/// Returns the whole text as a number, or nothing if it is not one.
 template <typename T>
 std::optional<T> number_of(std::string_view text) {
   T value{};

@@ -6,14 +6,14 @@
 
 namespace graze::samples {
 
-/// What simulation_loop is asked for.
+/// Holds what simulation_loop is asked for.
 struct SimulationOptions {
   std::filesystem::path data;
   int bodies = 200;
-  double seconds = 20;  ///< to simulate
-  double shot = 30;     ///< metres a second: how fast a pellet comes at the end; 0 for none
+  double seconds = 20;  ///< seconds to simulate
+  double shot = 30;     ///< metres a second at which a pellet comes at the end; 0 for no pellet
   std::uint64_t seed = 1;
-  std::filesystem::path gltf;  ///< empty for none
+  std::filesystem::path gltf;  ///< empty for no such file
   std::filesystem::path picture;
   std::filesystem::path record;
 
@@ -22,7 +22,8 @@ struct SimulationOptions {
       "[--gltf FILE] [--picture FILE.pov] [--record FILE]";
 };
 
-/// Nothing for a name that is none of these, or a value that is no number or out of range.
+/// Returns nothing for a name that is not among these, or a value that is not a number or out of
+/// range.
 std::optional<SimulationOptions> simulation_options(int argc, char** argv);
 
 }  // namespace graze::samples

@@ -8,7 +8,7 @@
 namespace graze::samples {
 namespace {
 
-constexpr double kWaiting = 2;  // metres above: where the animation has bodies before they start
+constexpr double kWaiting = 2;  // metres above: there the animation has bodies before they start
 constexpr std::array kColours{render::kSteel, render::kSand};
 constexpr render::Colour kBin{0.45, 0.5, 0.55};
 
@@ -16,7 +16,7 @@ render::Colour colour_of(std::size_t kind) {
   return kColours[kind % kColours.size()];
 }
 
-/// From what a screen shows to what glTF asks for.
+/// Converts what a screen shows to what glTF asks for.
 std::array<double, 3> linear(const render::Colour& colour) {
   return {colour.red * colour.red, colour.green * colour.green, colour.blue * colour.blue};
 }

@@ -9,7 +9,7 @@
 
 namespace graze::samples {
 
-/// What came of a simulation: bodies of a few kinds in a bin, and how they came there.
+/// Holds what came of a simulation: bodies of a few kinds in a bin, and how they came there.
 struct Pile {
   struct Kind {
     std::string name;
@@ -18,8 +18,8 @@ struct Pile {
   struct Body {
     std::size_t kind;
     Pose pose;
-    std::size_t first_frame;   ///< the time at which it started
-    std::vector<Pose> frames;  ///< one for each time from there on
+    std::size_t first_frame;   ///< the time at which the body started
+    std::vector<Pose> frames;  ///< its poses, one for each time from there on
   };
 
   std::string title;
@@ -30,10 +30,10 @@ struct Pile {
   std::vector<double> times;  ///< seconds
 };
 
-/// The motion as glTF. Throws as write_gltf() does.
+/// Writes the motion as glTF. Throws as write_gltf() does.
 void write_animation(const std::filesystem::path& path, const Pile& pile);
 
-/// The end as a scene for samples/draw: the bin cut open, and from above.
+/// Writes the end as a scene for samples/draw: the bin cut open, and from above.
 void write_picture(const std::filesystem::path& path, const Pile& pile);
 
 }  // namespace graze::samples

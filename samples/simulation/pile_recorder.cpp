@@ -1,4 +1,4 @@
-// Recordings when the samples are built with the component `record`.
+// Records when the samples are built with the component `record`.
 
 #include <graze/engine/record/world_recorder.h>
 

@@ -8,11 +8,11 @@
 
 namespace graze::samples {
 
-/// A recording of a world, if the samples are built with the component `record`.
+/// Records a world, if the samples are built with the component `record`.
 class PileRecorder {
  public:
-  /// Nothing is recorded for an empty path. Throws as WorldRecorder does, and an InputError where
-  /// there is no such component.
+  /// Records nothing for an empty path. Throws as WorldRecorder does, and an InputError where there
+  /// is no such component.
   PileRecorder(World& world, const std::filesystem::path& path, double seconds_per_update);
   ~PileRecorder();
   PileRecorder(const PileRecorder&) = delete;

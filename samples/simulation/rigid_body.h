@@ -7,20 +7,21 @@
 
 namespace graze::samples {
 
-/// A body as the solver moves it: about its centre of mass. Metres, kilograms, seconds, radians.
+/// Holds a body as the solver moves it: about its centre of mass. Metres, kilograms, seconds,
+/// radians.
 struct RigidBody {
-  BodyId id;                   ///< in the world
-  const MassProperties* mass;  ///< of its mesh
-  Eigen::Vector3d at;          ///< the centre of mass
+  BodyId id;                   ///< the body's id in the world
+  const MassProperties* mass;  ///< the mass properties of its mesh
+  Eigen::Vector3d at;          ///< the centre of mass, metres
   Eigen::Quaterniond turn;
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero();
   Eigen::Vector3d spin = Eigen::Vector3d::Zero();
-  double bounding_radius;  ///< of the shape, about the centre of mass, metres
-  double friction = 0.4;   ///< Coulomb's coefficient of its surface; of two, the geometric mean
-  double stillness = 0;    ///< for how long it has hardly moved, seconds
+  double bounding_radius;  ///< the radius about the centre of mass, metres
+  double friction = 0.4;  ///< Coulomb's coefficient of its surface; two rub with the geometric mean
+  double stillness = 0;   ///< seconds for which it has hardly moved
   bool is_asleep = false;
 
-  /// Of the mesh's frame.
+  /// Returns the pose of the mesh's frame.
   Pose pose() const {
     Pose pose = Pose::Identity();
     pose.linear() = turn.toRotationMatrix();

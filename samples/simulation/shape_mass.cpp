@@ -14,8 +14,8 @@ namespace {
 using Eigen::Vector3d;
 using std::numbers::pi;
 
-/// A solid that the axes of its frame are principal axes of. `squares` are the means of x^2, y^2
-/// and z^2 over it, measured from the centre.
+/// Returns the mass properties of a solid that the axes of its frame are principal axes of.
+/// `squares` are the means of x^2, y^2 and z^2 over it, measured from the centre.
 MassProperties solid(double mass, const Vector3d& centre, const Vector3d& squares) {
   const Vector3d moments = Vector3d::Constant(squares.sum()) - squares;
   MassProperties result{mass, centre, moments.asDiagonal(), {}};
@@ -24,8 +24,9 @@ MassProperties solid(double mass, const Vector3d& centre, const Vector3d& square
   return result;
 }
 
-/// A cylinder and, at each of its ends, half a ball. A half ball's centre is 3/8 of the radius
-/// beyond its flat side, and the mean square of z from that side is a fifth of the radius squared.
+/// A capsule is a cylinder and, at each of its ends, half a ball. A half ball's centre is 3/8 of
+/// the radius beyond its flat side, and the mean square of z from that side is a fifth of the
+/// radius squared.
 MassProperties of_capsule(const Capsule& capsule, double density) {
   const double r = capsule.radius, h = capsule.half_length;
   const double middle = 2 * pi * r * r * h;

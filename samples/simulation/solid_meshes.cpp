@@ -22,7 +22,7 @@ struct Growing {
     vertices.push_back(vertex);
     return static_cast<std::uint32_t>(vertices.size() - 1);
   }
-  /// A polygon that is convex, as a fan from its first corner.
+  /// Adds a polygon that is convex, as a fan from its first corner.
   void add_polygon(std::span<const std::uint32_t> corners) {
     for (std::size_t i = 1; i + 1 < corners.size(); ++i)
       triangles.push_back({corners[0], corners[i], corners[i + 1]});
@@ -59,7 +59,7 @@ Mesh box_surface(const Vector3d& half, int cells) {
   return box.mesh();
 }
 
-/// The profile turned about z. It is closed where it begins and ends: on the axis, or by a flat
+/// Turns the profile about z. It is closed where it begins and ends: on the axis, or by a flat
 /// polygon.
 Mesh turned(const Profile& profile, int sectors, const Vector3d& stretch, const Vector3d& centre) {
   Growing solid;
@@ -93,7 +93,7 @@ Mesh turned(const Profile& profile, int sectors, const Vector3d& stretch, const 
   return solid.mesh();
 }
 
-/// A ball of radius 1, or two half balls, each moved outward by so much.
+/// Returns the profile of a ball of radius 1, or of two half balls, each moved outward by so much.
 Profile ball(double radius, double apart, int rings) {
   Profile profile;
   for (int i = 0; i <= rings; ++i) {
@@ -161,7 +161,7 @@ Mesh extruded(std::span<const std::array<double, 2>> profile, double half_width)
     back.insert(back.begin(), i + count);
   }
   solid.add_polygon(front);
-  // From the same corner as in front, so that what the fan covers there it covers here.
+  // The fan begins at the same corner as in front, so that it covers here what it covers there.
   std::rotate(back.begin(), back.end() - 1, back.end());
   solid.add_polygon(back);
   return solid.mesh();

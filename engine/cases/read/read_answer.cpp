@@ -12,7 +12,8 @@ namespace {
 
 constexpr std::uint32_t kMaxIndex = std::numeric_limits<std::int32_t>::max();
 
-/// Reads a list that must ascend: so are the library's, and comparing is then simple.
+/// Reads a list that must ascend. The library's lists do, and two that ascend are simple to
+/// compare.
 template <typename Item, typename Read>
 std::vector<Item> read_ascending(const JsonCursor& at, Read&& read) {
   std::vector<Item> items;
@@ -33,16 +34,18 @@ double read_length_or_infinity(const JsonCursor& at) {
 CaseContact read_contact(const JsonCursor& at) {
   at.require_keys({"point", "point_a", "point_b", "normal", "depth"});
   return {at.member("point").point(), at.member("point_a").point(), at.member("point_b").point(),
-          at.member("normal").point(), at.member("depth").number()};  // below 0: merely near
+          at.member("normal").point(), at.member("depth").number()};  // below 0 where the two are
+                                                                      // merely near
 }
 
-/// A point that older files do not have.
+/// Reads a point that older files do not have.
 std::optional<Eigen::Vector3d> read_point_if_any(const JsonCursor& at, std::string_view key) {
   if (!at.has(key)) return std::nullopt;
   return at.member(key).point();
 }
 
-/// Which parts meet, that only graze tells. Elsewhere each contact is of parts of its own.
+/// Reads which parts meet, which only graze tells. Without that each contact is of parts of its
+/// own.
 ContactFeature read_feature(const JsonCursor& at, std::uint32_t number) {
   if (!at.has("feature_a") && !at.has("feature_b")) return {number, number};
   return {at.member("feature_a").bits(), at.member("feature_b").bits()};
@@ -52,7 +55,7 @@ CaseShapeContact read_shape_contact(const JsonCursor& at, std::uint32_t number) 
   at.require_keys({"point", "point_a", "point_b", "normal", "depth", "feature_a", "feature_b"});
   return {at.member("point").point(),       read_point_if_any(at, "point_a"),
           read_point_if_any(at, "point_b"), at.member("normal").point(),
-          at.member("depth").number(),  // of some engines below 0: merely near
+          at.member("depth").number(),  // some engines write depths below 0: merely near
           read_feature(at, number)};
 }
 
@@ -78,7 +81,7 @@ CaseAnswer read_contacts(const JsonCursor& at) {
 
 void read_points(const JsonCursor& at, CaseAnswer& answer) {
   answer.distance =
-      at.member("distance").number_or_infinite();  // below 0: an engine claims a touch
+      at.member("distance").number_or_infinite();  // below 0 where an engine claims a touch
   if (at.has("point_a")) answer.point_a = at.member("point_a").point();
   if (at.has("point_b")) answer.point_b = at.member("point_b").point();
 }

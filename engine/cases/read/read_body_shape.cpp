@@ -98,7 +98,7 @@ Shape read_body_shape(const JsonCursor& at, const BodyShapeReader& reader) {
             "half_space, plane and mesh");
   }
   const JsonCursor shape = at.member(found.front());
-  // What the reader itself refuses has its place already.
+  // What the reader itself refuses names its place already.
   try {
     return read_kind(shape, found.front(), reader);
   } catch (const CaseError&) {

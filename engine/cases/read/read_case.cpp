@@ -42,7 +42,7 @@ bool is_mesh_pair(const Case& query) {
   return is_mesh(query.a) && query.b && is_mesh(*query.b);
 }
 
-/// Whether the library has such a query.
+/// True if the library has such a query.
 bool is_answerable(const Case& query) {
   const CaseShape& a = query.a;
   if (!query.b) return is_mesh(a);
@@ -80,8 +80,8 @@ bool is_answerable(const Case& query) {
   }
 }
 
-/// A name is printed: nothing in it may move the cursor of a terminal. Of UTF-8 the control
-/// characters are the bytes below space, 0x7f, and 0x80 to 0x9f behind 0xc2.
+/// Reads a name, which is printed: nothing in it may move the cursor of a terminal. In UTF-8 the
+/// control characters are the bytes below space, 0x7f, and 0x80 to 0x9f behind 0xc2.
 std::string read_name(const JsonCursor& at) {
   constexpr std::size_t kMaxName = 128;
   const std::string& name = at.text();
@@ -104,7 +104,7 @@ CaseWitness read_witness(const JsonCursor& at) {
   return {read_name(at.member("engine")), at.has("version") ? read_name(at.member("version")) : ""};
 }
 
-/// A pair of the answer beyond the meshes would be found nowhere.
+/// Refuses pairs of the answer beyond the meshes, which would be found nowhere.
 void check_pairs(const JsonCursor& root, const Case& query) {
   if (!query.answer) return;
   const auto count = [](const CaseShape& shape) -> std::size_t {
@@ -145,7 +145,7 @@ Case parse_case(std::string_view bytes, const std::string& name, const ReadCaseS
   return bvh::in_standard_arithmetic([&]() -> Case {
     const cases::JsonValue tree = cases::parse_json(bytes, name);
     const JsonCursor root(tree, name);
-    // The version first: a later one may have other keys.
+    // The version is read first: a later one may have other keys.
     const std::uint32_t version =
         root.member("graze_case").index(std::numeric_limits<std::uint32_t>::max());
     if (version != cases::kCaseVersion) {

@@ -24,10 +24,10 @@ CaseShapes read_shapes(const JsonCursor& root, bool has_b, const ReadCaseSetting
 /// Requires the settings that the question needs, and refuses those of other questions.
 CaseSettings read_settings(const JsonCursor& root, Ask ask);
 
-/// Refuses settings that the query has not with such shapes: they would be ignored.
+/// Refuses settings that the query does not have with such shapes: they would be ignored.
 void check_settings(const JsonCursor& root, const Case& query);
 
-/// Where a body goes: any of its members may be missing, but those of a turn come together.
+/// Reads where a body goes: any of its members may be missing, but those of a turn come together.
 RigidCourse read_course(const JsonCursor& at);
 
 /// Refuses motions of questions that ask for none, and those that the library refuses.
@@ -36,13 +36,14 @@ void check_motions(const JsonCursor& root, const Case& query);
 /// Requires the parts that the question asks for about these shapes, and refuses others.
 CaseAnswer read_answer(const JsonCursor& at, const Case& query);
 
-/// The answer of Ask::Intersection about two meshes. Refuses indices of points that are not there.
+/// Reads the answer of Ask::Intersection about two meshes. Refuses indices of points that are not
+/// there.
 CaseIntersection read_intersection(const JsonCursor& at);
 
-/// A number that is not negative.
+/// Reads a number that is not negative.
 double read_length(const JsonCursor& at);
 
-/// Two indices of triangles, and a list of them that ascends.
+/// Read two indices of triangles, and a list of such pairs that ascends.
 TrianglePair read_pair(const JsonCursor& at);
 std::vector<TrianglePair> read_pairs(const JsonCursor& at);
 
@@ -63,17 +64,17 @@ void for_each_pairs(const CaseIntersection& intersection, OnPairs&& on_pairs) {
 
 Pose read_pose(const JsonCursor& at);
 
-/// How the shape of a body is read: a scene has units, and meshes in files.
+/// Says how the shape of a body is read: a scene has units, and meshes in files.
 struct BodyShapeReader {
   std::function<double(const JsonCursor&)> length;
   std::function<Mesh(const JsonCursor&)> mesh;
 };
 
-/// The one shape, of any kind that bodies have, that the object `at` describes by a member of that
-/// kind's name. Its other members are the caller's.
+/// Reads the one shape, of any kind that bodies have, that the object `at` describes by a member of
+/// that kind's name. Its other members are the caller's.
 Shape read_body_shape(const JsonCursor& at, const BodyShapeReader& reader);
 
-/// A mesh by its vertices and triangles.
+/// Reads a mesh by its vertices and triangles.
 Mesh read_inline_mesh(const JsonCursor& at);
 
 }  // namespace graze::cases

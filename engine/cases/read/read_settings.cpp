@@ -8,7 +8,7 @@
 namespace graze::cases {
 namespace {
 
-/// One of two words.
+/// True for the second and false for the first of two words; any other is refused.
 bool is_second(const JsonCursor& at, const char* first, const char* second) {
   if (at.text() != first && at.text() != second) {
     at.fail(mesh_io::quoted(at.text()) + " is neither " + first + " nor " + second);

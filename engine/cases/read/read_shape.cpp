@@ -120,7 +120,7 @@ class ShapeReader {
     return mesh;
   }
 
-  /// `is_referred`: the other side has said that its mesh is this one.
+  /// Reads a mesh; with `is_referred` the other side has said that its mesh is this one.
   CaseMesh read_mesh(const JsonCursor& at, std::string_view side, bool is_referred) const {
     const Pose here = Pose::Identity();
     if (at.has("same_as")) {
@@ -203,7 +203,7 @@ CaseShapes read_shapes(const JsonCursor& root, bool has_b, const ReadCaseSetting
   CaseShapes shapes{reader.read("a"), std::nullopt};
   if (!has_b) return shapes;
   shapes.b = reader.read("b");
-  // One mesh is one handle: its tree is then shared too.
+  // One mesh is one handle, so that its tree is shared, too.
   if (refers(root, "b")) std::get<CaseMesh>(*shapes.b).mesh = std::get<CaseMesh>(shapes.a).mesh;
   if (refers(root, "a")) std::get<CaseMesh>(shapes.a).mesh = std::get<CaseMesh>(*shapes.b).mesh;
   return shapes;

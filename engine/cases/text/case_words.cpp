@@ -17,7 +17,7 @@ bool is_same(const CaseContact& a, const CaseContact& b) {
          a.normal == b.normal && a.depth == b.depth;
 }
 
-/// False only if both say something, and something else.
+/// False only if both have a point and these differ.
 bool can_be_same(const std::optional<Eigen::Vector3d>& a, const std::optional<Eigen::Vector3d>& b) {
   return !a || !b || *a == *b;
 }

@@ -39,12 +39,12 @@ inline constexpr std::array<std::pair<const char*, RigidStatus>, 3> kStatuses = 
     {"close", RigidStatus::Close},
 }};
 
-/// Whether a question is about two that move.
+/// True if a question is about two things that move.
 inline bool is_about_motion(Ask ask) {
   return ask == Ask::FirstContact || ask == Ask::Free;
 }
 
-/// Whether a question is about A alone.
+/// True if a question is about A alone.
 inline bool is_about_one(Ask ask) {
   return ask == Ask::SelfAny || ask == Ask::SelfPairs;
 }

@@ -19,21 +19,21 @@ int digit_of(char c) {
   return -1;
 }
 
-/// The digits before the exponent as `mantissa * 2^exponent`.
+/// Holds the digits before the exponent as `mantissa * 2^exponent`.
 struct Mantissa {
   std::uint64_t value = 0;
   int exponent = 0;
   int digits = 0;
 };
 
-/// Takes digits from the front of `text`. Nothing if they do not fit 64 bits: zeros at either end
-/// need no bits.
+/// Takes digits from the front of `text`. Returns nothing if they do not fit 64 bits, of which
+/// zeros at either end need none.
 std::optional<Mantissa> take_mantissa(std::string_view& text) {
   constexpr std::uint64_t kTopDigit = std::uint64_t{0xf} << 60;
   constexpr int kMaxDigits = 400;  // more than any double needs, and far from overflow of exponents
   Mantissa result;
   bool is_fraction = false;
-  int zeros = 0;  // digits 0 that may turn out to be the last ones
+  int zeros = 0;  // zeros that may turn out to be the last digits
   for (; !text.empty(); text.remove_prefix(1)) {
     if (text.front() == '.' && !is_fraction) {
       is_fraction = true;

@@ -97,7 +97,7 @@ std::uint32_t JsonCursor::index(std::uint32_t max) const {
   return static_cast<std::uint32_t>(whole(0, max));
 }
 
-// The tree keeps whole numbers as doubles: exact to 2^53, which is beyond every range asked for.
+// The tree keeps whole numbers as doubles, which are exact to 2^53, beyond every range asked for.
 std::int64_t JsonCursor::whole(std::int64_t min, std::int64_t max) const {
   require(JsonKind::Number);
   const double value = std::get<double>(value_.content);

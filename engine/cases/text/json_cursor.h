@@ -29,23 +29,23 @@ class JsonCursor {
   bool is_null() const { return value_.kind == JsonKind::Null; }
   bool is_object() const { return value_.kind == JsonKind::Object; }
   bool has(std::string_view key) const { return find(key) != nullptr; }
-  JsonCursor member(std::string_view key) const;  ///< throws if there is none
+  JsonCursor member(std::string_view key) const;  ///< throws if there is no such member
 
-  std::size_t size() const;  ///< of an array; throws for what is none
+  std::size_t size() const;  ///< the size of an array; throws for anything else
   void require_size(std::size_t size) const;
   JsonCursor item(std::size_t index) const { return {*this, index}; }
 
   bool boolean() const;
   const std::string& text() const;
-  /// 64 bits as a string, `0x` and up to 16 digits 0-9 a-f: a JSON number holds 53.
+  /// Reads 64 bits from a string, `0x` and up to 16 digits 0-9 a-f: a JSON number holds 53.
   std::uint64_t bits() const;
-  /// A whole number from 0 to `max`.
+  /// Reads a whole number from 0 to `max`.
   std::uint32_t index(std::uint32_t max) const;
-  /// A whole number from `min` to `max`.
+  /// Reads a whole number from `min` to `max`.
   std::int64_t whole(std::int64_t min, std::int64_t max) const;
-  /// A hex float as a string, or a JSON number, which is rounded once.
+  /// Reads a hex float as a string, or a JSON number, which is rounded once.
   double number() const;
-  /// The same, or the word "infinite" for what is beyond the largest.
+  /// Reads such a number, or the word "infinite" for what is beyond the largest.
   double number_or_infinite() const;
   Eigen::Vector3d point() const;
 

@@ -9,7 +9,8 @@
 namespace graze::cases {
 namespace {
 
-/// How many bytes the UTF-8 sequence at the front has; 0 if there is none (RFC 3629, section 4).
+/// Returns how many bytes the UTF-8 sequence at the front has; 0 if there is none (RFC 3629,
+/// section 4).
 std::size_t sequence_length(std::string_view text) {
   const auto byte = [&](std::size_t i) {
     return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U;

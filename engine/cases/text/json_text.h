@@ -9,33 +9,35 @@
 
 namespace graze::cases {
 
-/// The text as a JSON string, quotes included. Bytes that are no ASCII are handed on as they are,
-/// except that what is no UTF-8 becomes U+FFFD: file names may hold anything.
+/// Returns the text as a JSON string, quotes included. Bytes that are not ASCII are handed on as
+/// they are, except that those that are not UTF-8 become U+FFFD: file names may hold anything.
 std::string json_string(std::string_view text);
 
-/// A double as a hex float in quotes.
+/// Returns a double as a hex float in quotes.
 std::string json_number(double value);
 
-/// 64 bits as a string, `"0x1f"`: a JSON number holds 53.
+/// Returns 64 bits as a string, `"0x1f"`: a JSON number holds 53.
 std::string json_bits(std::uint64_t bits);
 
-/// A double as a JSON number, of the fewest digits that read back as the same double; null for what
-/// is not finite. For people and their tools: what is read again is written as hex floats.
+/// Returns a double as a JSON number, of the fewest digits that read back as the same double; null
+/// for what is not finite. It is for people and their tools: numbers that are read again are
+/// written as hex floats.
 std::string json_plain_number(double value);
 
-/// Stands in place of a number beyond the largest double.
+/// This word stands in place of a number beyond the largest double.
 inline constexpr const char* kInfinite = "infinite";
 
-/// The same, and that word for what is not finite: JsonCursor::number_or_infinite() reads it back.
+/// Returns the same, and that word for what is not finite: JsonCursor::number_or_infinite() reads
+/// it back.
 std::string json_plain_or_infinite(double value);
 
-/// `["0x1p+0","0x0p+0",...]`.
+/// Returns `["0x1p+0","0x0p+0",...]`.
 std::string json_point(const Eigen::Vector3d& point);
 
-/// The rows of [R | t], 12 numbers.
+/// Returns the rows of [R | t], 12 numbers.
 std::string json_pose(const Pose& pose);
 
-/// `[item,item,...]`, each written by `write(item)`.
+/// Returns `[item,item,...]`, each written by `write(item)`.
 template <typename List, typename Write>
 std::string json_list(const List& list, std::string_view separator, Write&& write) {
   std::string out = "[";

@@ -15,8 +15,8 @@
 namespace graze::cases {
 namespace {
 
-/// How far the parser has read. It has always read the last byte of the token that it reports, and
-/// of a number one byte more.
+/// Says how far the parser has read. It has always read the last byte of the token that it reports,
+/// and one byte more of a number.
 struct Reading {
   const char* begin;
   const char* at;
@@ -33,7 +33,7 @@ struct Reading {
   }
 };
 
-/// Characters, and a note of how far they have been read.
+/// Iterates over characters, and notes how far they have been read.
 class NotedIterator {
  public:
   // NOLINTBEGIN(readability-identifier-naming): what the standard asks iterators for
@@ -88,7 +88,7 @@ class Builder {
     add(JsonKind::String).content = std::move(value);
     return true;
   }
-  bool binary(std::vector<std::uint8_t>&) { return false; }  // no such thing in a text
+  bool binary(std::vector<std::uint8_t>&) { return false; }  // a text has no binary values
   bool start_object(std::size_t) {
     open(JsonKind::Object).content = std::make_unique<JsonValue::Members>();
     return true;
@@ -113,8 +113,8 @@ class Builder {
   }
 
   bool parse_error(std::size_t, const std::string&, const nlohmann::json::exception& error) {
-    // "[json.exception.parse_error.101] parse error at line 3, column 5: syntax error ...": the
-    // line is told already.
+    // The error reads "[json.exception.parse_error.101] parse error at line 3, column 5: syntax
+    // error ...": the line is told already.
     std::string why = error.what();
     for (const char* mark : {"] ", ": "}) {
       const std::size_t end = why.find(mark);
@@ -128,7 +128,7 @@ class Builder {
     return std::get<std::unique_ptr<JsonValue::Members>>(object.content)->keys;
   }
 
-  /// The JSON pointer of the value that is being read; empty where none is.
+  /// Returns the JSON pointer of the value that is being read; empty where none is.
   std::string place() const {
     std::string place;
     for (const JsonValue* each : open_) {

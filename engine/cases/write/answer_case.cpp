@@ -38,7 +38,7 @@ PlacedMeshView placed(const CaseMesh& mesh) {
   return {mesh.mesh, mesh.pose};
 }
 
-/// intersects(A, B), if there is one.
+/// Asks intersects(A, B), if there is one.
 struct AnyAnswer {
   const Case& query;
   Work* work;
@@ -144,7 +144,7 @@ CaseAnswer about_bodies(const Case& query, const CaseBody& a, const CaseBody& b,
   if (query.ask == Ask::Separation && !query.settings.direction) {
     return answer_of(find_separation({a.shape, a.pose}, {b.shape, b.pose}, work));
   }
-  if (query.ask == Ask::Within) {  // as World::find_within() has it
+  if (query.ask == Ask::Within) {  // the answer as World::find_within() has it
     return says(distance({a.shape, a.pose}, {b.shape, b.pose}, work).distance <=
                 query.settings.clearance);
   }

@@ -8,7 +8,7 @@
 namespace graze {
 namespace {
 
-/// The limit that the case must name too; none of a complete list.
+/// Returns the limit that the case must name, too; a complete list has none.
 template <typename List, typename Settings>
 std::optional<std::uint32_t> limit_of(const List& list, const Settings& settings) {
   if (list.completeness == Completeness::Complete) return std::nullopt;

@@ -4,7 +4,7 @@
 
 namespace graze {
 
-/// A part of a body, or the body if it has none.
+/// Returns a part of a body, or the body if it has none.
 static CaseBody part_of(const World& world, BodyId id, std::uint32_t number) {
   if (const VoxelMap* map = voxel_map_of(world.shape(id)))
     return {map->box(), placed_part(world.pose(id), map->pose(number))};

@@ -29,7 +29,7 @@ std::string yes_or_no(bool is_so) {
   return is_so ? "true" : "false";
 }
 
-/// An object, of which members are added in turn.
+/// Writes an object, of which members are added in turn.
 class ObjectText {
  public:
   ObjectText& add(const char* key, const std::string& value) {
@@ -42,7 +42,7 @@ class ObjectText {
   std::string text_;
 };
 
-/// How the numbers of an answer are written.
+/// Says how the numbers of an answer are written.
 struct NumberText {
   std::string (*number)(double);
 

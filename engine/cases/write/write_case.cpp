@@ -35,7 +35,7 @@ std::string mesh_text(const CaseMesh& mesh) {
          "}";
 }
 
-/// The shape of a body, as a member named by its kind.
+/// Writes the shape of a body, as a member named by its kind.
 struct BodyText {
   static std::string round(const char* kind, double radius, const char* name, double half) {
     return std::string("\"") + kind + "\": {\"radius\": " + json_number(radius) + ", \"" + name +
@@ -71,7 +71,7 @@ struct BodyText {
   }
   std::string operator()(const HalfSpace& s) const { return flat("half_space", s); }
   std::string operator()(const Plane& s) const { return flat("plane", s); }
-  /// As the mesh that it is.
+  /// Writes a height field as the mesh that it is.
   std::string operator()(const HeightField& field) const { return (*this)(field.mesh()); }
   std::string operator()(const Mesh& mesh) const {
     return std::string("\"mesh\": ") + mesh_text(CaseMesh(mesh, Pose::Identity()));

@@ -10,7 +10,7 @@
 
 namespace graze::cli {
 
-/// What the chosen subcommand does once all arguments are parsed.
+/// Does what the chosen subcommand does, once all arguments are parsed.
 using Action = std::function<ExitCode(Output&)>;
 
 /// Adds `graze pair`. Parsing it sets `action`.
@@ -54,7 +54,7 @@ void add_scoreboard_command(CLI::App& program, Action& action);
 /// Adds `graze view`, unless the command was built without pages. Parsing it sets `action`.
 void add_view_command(CLI::App& program, Action& action);
 
-/// An option that may be given several times, each time with one value.
+/// Adds an option that may be given several times, each time with one value.
 void add_repeated_option(CLI::App& command, const std::string& name,
                          std::vector<std::string>& values, const std::string& description,
                          const std::string& type);

@@ -124,7 +124,7 @@ Exit codes:
   2  bad input, with one line on stderr, or a folder of --cases that could not be written
   130  interrupted, with --resume: what is done is recorded)";
 
-/// More would take years.
+/// More poses would take years.
 constexpr std::uint64_t kMostPoses = 1'000'000'000'000;
 
 void add_pose_options(CLI::App& command, CompareOptions& options) {

@@ -54,7 +54,7 @@ ExitCode run_contacts(const ContactsOptions& options, Output& output) {
   const Pose pose_a = pose_named(options.pose_a, "--pose-a");
   const Pose pose_b = pose_named(options.pose_b, "--pose-b");
   const Mesh mesh_a = load_mesh(options.mesh_a);
-  // One file, one mesh: the tree is then shared too.
+  // One file gives one mesh, so that its tree is shared, too.
   const Mesh mesh_b = options.mesh_b == options.mesh_a ? mesh_a : load_mesh(options.mesh_b);
   check_placement(pose_a, mesh_a.bounds(), "--pose-a");
   check_placement(pose_b, mesh_b.bounds(), "--pose-b");

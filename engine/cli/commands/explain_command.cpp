@@ -72,13 +72,13 @@ struct ExplainOptions {
   std::string mesh_b;
   std::string pose_a;
   std::string pose_b;
-  std::string answer;               ///< in place of that of the case
-  std::optional<std::size_t> line;  ///< of a file of many cases: from 1 on
-  std::string page;                 ///< where to write one; empty: nowhere
+  std::string answer;               ///< takes the place of the case's own answer
+  std::optional<std::size_t> line;  ///< a line of a file of many cases, from 1 on
+  std::string page;                 ///< the file of a page; empty for none
   bool is_json = false;
 };
 
-/// A page goes nowhere where something is read.
+/// Refuses a page that would be written where something is read.
 void check_page(const ExplainOptions& options) {
   const std::array<FilePlace, 2> inputs = {
       {{"A", options.mesh_a}, {"the second mesh", options.mesh_b}}};
@@ -90,7 +90,7 @@ std::string name_of_file(const std::string& path) {
   return std::filesystem::path(path).filename().string();
 }
 
-/// A number and nothing else.
+/// Returns the number if the word is a number and nothing else.
 std::optional<double> read_number(const std::string& word) {
   double value = 0;
   const auto [rest, error] = std::from_chars(word.data(), word.data() + word.size(), value);
@@ -98,7 +98,7 @@ std::optional<double> read_number(const std::string& word) {
   return is_read && std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
-/// What stands behind --answer.
+/// Reads what stands behind --answer.
 CaseAnswer read_answer_word(const Case& query, const std::string& word) {
   CaseAnswer answer;
   const bool is_distance = query.ask == Ask::Distance;
@@ -122,7 +122,7 @@ CaseAnswer read_answer_word(const Case& query, const std::string& word) {
   return answer;
 }
 
-/// The case in a file, or of a file of many that in a line of it.
+/// Reads the case in a file, or in a line of a file of many.
 Case read_explained(const ExplainOptions& options) {
   const std::filesystem::path path = options.mesh_a;
   if (path.extension() == ".json" && !options.line) return read_case(path);

@@ -55,7 +55,7 @@ struct InfoOptions {
   bool has_progress = false;
 };
 
-/// All meshes are read before the first is printed: a bad one leaves standard output empty.
+/// Reads all meshes before it prints the first: a bad one leaves standard output empty.
 ExitCode run_info(const InfoOptions& options, Output& output) {
   constexpr std::size_t kPerCent = 100;
   const std::size_t count = options.meshes.size();

@@ -87,20 +87,20 @@ void check_files(const MotionOptions& options) {
   check_outputs(outputs, inputs);
 }
 
-/// Of the moment that the answer is about.
+/// Writes a picture of the moment that the answer is about.
 void write_picture(const MotionOptions& options, const PlacedMeshView& a, const Mesh& mesh_b,
                    const RigidMotion& motion, const RigidContact& contact) {
   const double t = contact.status == RigidStatus::Hit ? contact.high : contact.low;
   files::write_file(options.picture, contact_picture(a, {mesh_b, motion.at(t)}));
 }
 
-/// As the certificate names it: from its own folder on.
+/// Returns the path as the certificate names it: from its own folder on.
 std::filesystem::path seen_from(const std::string& certificate, const std::string& mesh) {
   const std::filesystem::path folder = std::filesystem::absolute(certificate).parent_path();
   return std::filesystem::proximate(std::filesystem::absolute(mesh), folder);
 }
 
-/// Writes the proof, if there is one. The name of the file, or nothing.
+/// Writes the proof, if there is one, and returns the name of its file, or nothing.
 std::string write_proof(const MotionOptions& options, const Mesh& mesh_a,
                         const RigidMotion& motion_a, const Mesh& mesh_b,
                         const RigidMotion& motion_b, Work& work) {
@@ -117,7 +117,7 @@ std::string write_proof(const MotionOptions& options, const Mesh& mesh_a,
   return options.certificate;
 }
 
-/// Of all motions, if one is asked for.
+/// Returns a page of all motions, if one is asked for.
 std::unique_ptr<MotionPage> page_of(const MotionOptions& options, const Mesh& mesh_a,
                                     const Pose& pose_a, const Mesh& mesh_b, std::size_t motions) {
   if (options.page.empty()) return nullptr;
@@ -132,7 +132,7 @@ std::unique_ptr<MotionPage> page_of(const MotionOptions& options, const Mesh& me
   return make_motion_page(mesh_a, pose_a, mesh_b, settings);
 }
 
-/// All motions, asked on many threads and told of in their order.
+/// Asks about all motions, on many threads, and tells of them in their order.
 class MotionRun {
  public:
   MotionRun(const MotionOptions& options, const Mesh& mesh_a, const RigidMotion& rest,
@@ -147,8 +147,8 @@ class MotionRun {
         progress_("motions:", motions.size(), {.is_forced = options.has_progress}) {}
 
   ExitCode run() {
-    // What has to be built is built before, or by the first, so that what each of them did hangs on
-    // no thread.
+    // What has to be built is built before, or by the first motion, so that no thread changes what
+    // each of them did.
     if (motions_.size() > 1) {
       run_in_arena(static_cast<int>(options_.threads), [&] {
         prepare(mesh_a_, {}, &built_);
@@ -185,7 +185,7 @@ class MotionRun {
     return answer;
   }
 
-  /// By one thread at a time, in the order of the motions.
+  /// Tells an answer. One thread at a time does so, in the order of the motions.
   void tell(MotionAnswer& answer) {
     const RigidMotion& motion = motions_[answer.number];
     if (!has_picture_ && answer.contact.status != RigidStatus::Free) {
@@ -218,7 +218,8 @@ ExitCode run_motion(const MotionOptions& options, Output& output) {
   const std::vector<RigidMotion> motions = read_motions(options.motion);
   const Mesh mesh_a = load_mesh(options.mesh_a);
   const Mesh mesh_b = options.mesh_b == options.mesh_a ? mesh_a : load_mesh(options.mesh_b);
-  // Before the first answer, so that nothing is printed where a later motion is refused.
+  // All are checked before the first answer, so that nothing is printed where a later motion is
+  // refused.
   check_coordinates(rest, mesh_a.bounds(), "--pose-a");
   for (std::size_t i = 0; i < motions.size(); ++i)
     check_coordinates(motions[i], mesh_b.bounds(), ("motion " + std::to_string(i)).c_str());

@@ -14,12 +14,14 @@ bool is_digit(char c) {
 
 bool begins_like_number(std::string_view text) {
   if (text.starts_with('-') || text.starts_with('+')) text.remove_prefix(1);
-  if (text == "nan" || text == "inf") return true;  // numbers enough to be refused as poses
+  if (text == "nan" || text == "inf")
+    return true;  // these are numbers enough to be refused as
+                  // poses
   if (text.starts_with('.')) text.remove_prefix(1);
   return !text.empty() && is_digit(text.front());
 }
 
-/// How many numbers an option takes; 0 for all that take none, or one.
+/// Returns how many numbers an option takes; 0 for all that take none, or one.
 std::size_t numbers_of(std::string_view option) {
   constexpr std::size_t kScrewNumbers = 8;
   for (const std::string_view pose : {"--pose-a", "--pose-b", "--from", "--to"})
@@ -27,7 +29,7 @@ std::size_t numbers_of(std::string_view option) {
   return option == "--screw" ? kScrewNumbers : 0;
 }
 
-/// How many arguments from `first` on belong to an option that takes so many numbers.
+/// Returns how many arguments from `first` on belong to an option that takes so many numbers.
 std::size_t count_numbers(const std::vector<std::string>& arguments, std::size_t first,
                           std::size_t most) {
   if (first == arguments.size()) return 0;

@@ -67,14 +67,14 @@ Exit codes:
      --same also if any has changed; with --fail-on also if an answer that it names is wrong
   2  bad input, with one line on stderr for each bad file, FILE:LINE: /PLACE: why; the others are replayed)";
 
-/// What of a command line is about recordings.
+/// Holds the options that are about recordings.
 struct RecordedRunOptions {
   std::optional<std::string> against;
   std::optional<int> threads;
   bool has_work = false;
 };
 
-/// The run of a recording, if one is meant; all options must be about one.
+/// Returns the run of a recording, if one is meant; all options must be about one.
 std::optional<RecordingOptions> recording_of(const ReplayOptions& options,
                                              const RecordedRunOptions& run) {
   const bool has_any = std::any_of(options.files.begin(), options.files.end(), is_recording);

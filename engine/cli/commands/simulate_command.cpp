@@ -71,7 +71,7 @@ struct SimulateOptions {
   bool has_progress = false;
 };
 
-/// While it is recorded SIGINT ends the run after a step, with the file's end behind it.
+/// Ends a recorded run after a step if SIGINT asks for it, so that the file has its end.
 void stop_if_asked(const SimulateOptions& options, SceneRecorder& recorder, std::size_t steps) {
   recorder.check();
   if (!options.record || !Interruption::is_requested()) return;
@@ -89,7 +89,7 @@ ExitCode run_simulate(const SimulateOptions& options, Output& output) {
   Simulation simulation(scene, {.step = options.step,
                                 .world = {.threads = options.threads,
                                           .contacts = options.has_contacts || options.record}});
-  check_paths(scene, simulation.time_of(steps));  // bad input leaves standard output empty
+  check_paths(scene, simulation.time_of(steps));  // so that bad input leaves standard output empty
   SimulateReport report(output, scene,
                         {.is_json = options.is_json, .has_contacts = options.has_contacts});
   std::optional<Interruption> interruption;

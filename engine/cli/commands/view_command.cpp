@@ -62,7 +62,7 @@ void add_view_command(CLI::App& program, Action& action) {
   command
       ->add_option("--tree", options->tree, "of meshes: the boxes of their trees, level by level")
       ->transform(CLI::Transformer(kTreeBoxes).description(""))
-      ->transform(CLI::IsMember({"aabb", "obb"}).description(""))  // comes first
+      ->transform(CLI::IsMember({"aabb", "obb"}).description(""))  // this comes first
       ->type_name("aabb|obb");
   command
       ->add_option("--meshes", options->mesh_folder,

@@ -53,7 +53,7 @@ struct VoxelsOptions {
   bool has_progress = false;
 };
 
-/// Refuses what would be found out only after the work is done, or destroy the mesh.
+/// Refuses a file that could not be written after the work is done, or that would destroy the mesh.
 void check_file(const VoxelsOptions& options) {
   mesh_io::voxel_format_of(options.file);
   const FilePlace output = {"-o", options.file};
@@ -68,7 +68,7 @@ VoxelSettings settings_of(const VoxelsOptions& options) {
           .max_voxels = kMaxWrittenVoxels};
 }
 
-/// The mesh's errors name its file.
+/// Finds the voxels; the mesh's errors name its file.
 Voxels find(const VoxelsOptions& options, const Mesh& mesh, VoxelSettings settings, Work& work) {
   Progress progress("percent of the voxels:", 100,
                     {.is_forced = options.has_progress, .has_rows = false});

@@ -16,7 +16,7 @@ using compare::Advice;
 using compare::AdviceStep;
 using compare::WrongKind;
 
-/// The case with the fewest numbers, of those of an engine that have a class.
+/// Returns the case with the fewest numbers among those of an engine that have a class.
 const WrittenCase* least_case(std::span<const WrittenCase> cases, const WrongKind& kind) {
   const WrittenCase* least = nullptr;
   for (const WrittenCase& each : cases) {
@@ -62,7 +62,7 @@ std::string heading(const Advice& advice) {
   return fmt::format("{}, {} {}", advice.engine, advice.count, advice.kind);
 }
 
-/// Words broken into lines of a terminal.
+/// Returns words broken into lines of a terminal.
 std::string wrapped(const std::string& words, std::size_t indent) {
   constexpr std::size_t kWidth = 100;
   std::string out;

@@ -32,13 +32,13 @@ void check_folder_options(const CompareOptions& options) {
       "--answers are not meant for them");
 }
 
-/// Cases with the files that they are alone in, if they are.
+/// Holds cases with the files that they are alone in, if they are.
 struct FolderJob {
   CaseJob job;
   std::vector<fs::path> files;
 };
 
-/// All cases are read before the first is asked.
+/// Reads all cases before the first is asked.
 FolderJob read_job(const CompareOptions& options) {
   FolderJob read;
   CaseMeshes meshes;
@@ -55,7 +55,7 @@ FolderJob read_job(const CompareOptions& options) {
   return read;
 }
 
-/// The line of a record, with the names that stand for its number.
+/// Returns the line of a record, with the names that stand for its number.
 std::string named_line(const CaseJob& job, const PlaceRecord& record) {
   const compare::NamedCase& each = job.cases[record.place];
   return fmt::format("{{\"case\":{},\"file\":{},\"question\":{},\"answers\":{}}}\n", record.place,

@@ -31,10 +31,11 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The SIMD instructions that this program uses on this machine: "AVX2". No answer depends on it.
+/// Returns the SIMD instructions that this program uses on this machine: "AVX2". No answer depends
+/// on it.
 const char* simd_target() {
   const std::int64_t usable = hwy::SupportedTargets() & static_cast<std::int64_t>(HWY_TARGETS);
-  return hwy::TargetName(usable & -usable);  // the lowest bit is the best
+  return hwy::TargetName(usable & -usable);  // the lowest bit stands for the best
 }
 
 FailOn fail_on_of(const CompareOptions& options, std::span<const compare::EngineEntry> field) {
@@ -70,7 +71,7 @@ void check_before(const CompareOptions& options, std::span<const compare::Engine
                                             {"B itself", options.mesh_b},
                                             {"the file of --poses", options.poses.value_or("")}}};
   check_outputs(std::array{report, junit, markdown, save, resume}, inputs);
-  // What a gate is held against may be what it saves for the next time: it is read before.
+  // A gate may be held against the same file that it saves for the next time: that is read before.
   const FilePlace against = {"the file of --against", options.against};
   check_outputs(std::array{report, junit, markdown, resume}, {&against, 1});
   std::error_code ignored;
@@ -115,14 +116,14 @@ std::string interruption_text(const CompareOptions& options, const compare::Jour
 
 namespace {
 
-/// What is said of an older run, and whether that is a regression.
+/// Holds what is said of an older run, and whether that is a regression.
 struct Regression {
   bool is_one = false;
   std::string words;
   std::string json;
 };
 
-/// "poses 3 7 and 12 more"
+/// Returns "poses 3 7 and 12 more".
 std::string places_of(const CompareFindings& findings, const compare::EngineChange& change) {
   std::string text = " in " + findings.place + "s";
   for (const std::size_t place : change.places) {
@@ -133,7 +134,7 @@ std::string places_of(const CompareFindings& findings, const compare::EngineChan
   return text + (more == 0 ? "" : fmt::format(" and {} more", more));
 }
 
-/// What changed of one engine, and who was right before and after.
+/// Returns what changed of one engine, and who was right before and after.
 std::string words_of(const CompareFindings& findings, const compare::EngineChange& change) {
   std::string text =
       fmt::format("{} answers of {} changed", change.changed, mesh_io::printable(change.engine));
@@ -155,8 +156,8 @@ std::string json_of(const compare::EngineChange& change) {
       change.wrong_to_wrong, change.time_ratio);
 }
 
-/// Every change of graze is one, and those that --fail-on ENGINE:changed names; and that graze is
-/// slower.
+/// Finds regressions: every change of graze is one, so are changes that --fail-on ENGINE:changed
+/// names, and so is a slower graze.
 Regression regression_of(const CompareOptions& options, const CompareFindings& findings) {
   if (!findings.changes) return {};
   Regression result;
@@ -181,7 +182,7 @@ Regression regression_of(const CompareOptions& options, const CompareFindings& f
   return result;
 }
 
-/// What --fail-on has found; nothing where nobody has asked.
+/// Returns what --fail-on has found; nothing where nobody has asked.
 std::string fail_on_text(const CompareOptions& options, const CompareFindings& findings) {
   if (options.fail_on.empty()) return "";
   const std::size_t count = findings.wrong.named_by_fail_on();
@@ -194,13 +195,13 @@ std::string says_of(const compare::ShrunkCase& each) {
   return each.query.answer ? compare::brief(*each.query.answer) : "nothing";
 }
 
-/// What became of the cases.
+/// Holds what became of the cases.
 struct KeptCases {
   std::vector<WrittenCase> cases;
   std::string folder;
   std::size_t not_written = 0;
-  std::string failure;     ///< of the first of these
-  std::size_t others = 0;  ///< that were in the folder before
+  std::string failure;     ///< why the first of these failed
+  std::size_t others = 0;  ///< cases that were in the folder before
 };
 
 std::string row_of(const WrittenCase& each) {
@@ -242,7 +243,7 @@ KeptCases keep_cases(const CompareOptions& options, std::span<const compare::Eng
   kept.folder = options.cases.empty() ? kDefaultCases : options.cases;
   CaseFolder folder(kept.folder);
   const MeshCopies copies(kept.folder, options.mesh_a, options.mesh_b);
-  std::string name;  // of the case at hand; its digest is of all of it
+  std::string name;  // the name of the case at hand; its digest is of all of it
   std::size_t at_hand = wrong.size();
   bool is_written = false;
   const auto write = [&](const compare::ShrunkCase& each) {
@@ -259,7 +260,7 @@ KeptCases keep_cases(const CompareOptions& options, std::span<const compare::Eng
     query.note = fmt::format("{}, {} {}: {} says {}, the truth is: {} ({})", findings.title,
                              findings.place, from.where, each.engine, says_of(each),
                              each.judgement.truth, name_of(each.judgement.error_class));
-    // What is no answer is in no file: whoever replays the case sees it again.
+    // An answer that is none goes into no file: whoever replays the case sees it again.
     if (each.judgement.error_class == compare::ErrorClass::EngineError) query.answer.reset();
     is_written = folder.write(name, is_recorded(field, each.engine) ? copies.refer(query) : query);
   };
@@ -352,7 +353,7 @@ ExitCode conclude(const CompareOptions& options, std::span<const compare::Engine
                  kept.not_written == 1 ? "" : "s", kept.failure.c_str());
   }
   if (gate.is_closed) return ExitCode::GrazeWrong;
-  const bool is_missed = kept.not_written > 0 && !options.cases.empty();  // asked for by name
+  const bool is_missed = kept.not_written > 0 && !options.cases.empty();  // their folder is named
   return is_missed ? ExitCode::BadInput : ExitCode::Answered;
 }
 

@@ -14,11 +14,12 @@
 
 namespace graze::cli {
 
-/// Throws UsageError or FileError if a file that is to be written cannot be, or is also an input or
-/// another output, and for what --fail-on cannot mean: before a long run, not after.
+/// Throws UsageError or FileError before a long run, not after it, if a file that is to be written
+/// cannot be, or is also an input or another output, and for what --fail-on cannot mean.
 void check_before(const CompareOptions& options, std::span<const compare::EngineEntry> field);
 
-/// The wrong answers of a run among these engines, as --keep and --fail-on want them.
+/// Returns an empty list of the wrong answers of a run among these engines, as --keep and --fail-on
+/// want them.
 WrongList wrong_list_of(const CompareOptions& options, std::span<const compare::EngineEntry> field);
 
 /// Throws UsageError if a record that is to be gone on with is of another job, or of other engines.
@@ -29,23 +30,24 @@ void check_resumed(const CompareOptions& options, const compare::JournalHead& he
 void check_baseline(const CompareOptions& options, const compare::JournalHead& head,
                     const compare::JournalHead& record);
 
-/// How far a run came that was interrupted, and how to go on.
+/// Says how far an interrupted run came, and how to go on.
 std::string interruption_text(const CompareOptions& options, const compare::JournalHead& head,
                               std::size_t done);
 
-/// What a comparison has found, of whatever kind it is.
+/// Holds what a comparison has found, of whatever kind it is.
 struct CompareFindings {
   std::string title;                    ///< in the notes of cases: "bolt.obj against nut.stl"
-  std::string question;                 ///< empty if each case says it
+  std::string question;                 ///< the question; empty if each case says it
   std::string count;                    ///< "12 poses"
   std::string place;                    ///< what one of them is called: "pose"
-  std::vector<std::string> names = {};  ///< of places, for people; empty: they are numbers
-  std::string rows = {};                ///< the table of what is wrong, or differs
+  std::vector<std::string> names = {};  ///< names of places, for people; empty if they are numbers
+  std::string rows = {};                ///< the rows of the table of what is wrong, or differs
   std::string json = {};                ///< lines before the summary that are not written yet
   std::vector<EngineSummary> summaries;
   WrongList wrong;
-  std::optional<std::vector<compare::EngineChange>> changes = {};  ///< from --against
-  std::vector<compare::JournalPart> asked = {};                    ///< what the job is about
+  std::optional<std::vector<compare::EngineChange>> changes = {};  ///< the changes since the run of
+                                                                   ///< --against
+  std::vector<compare::JournalPart> asked = {};                    ///< the job that was asked
 };
 
 /// Shrinks the worst answers of the engines that took part to cases, writes these and the report,

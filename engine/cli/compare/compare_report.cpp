@@ -21,7 +21,7 @@ using compare::WrongAnswer;
 
 constexpr std::size_t kMaxRows = 40;
 
-/// An answer that somebody contradicted.
+/// Adds an answer that somebody contradicted.
 void add_judged(EngineSummary& summary, const AnswerRecord& answer) {
   const compare::Judgement& judgement = answer.judgement;
   summary.right += judgement.verdict == Verdict::Right;
@@ -39,8 +39,8 @@ void add_judged(EngineSummary& summary, const AnswerRecord& answer) {
 
 }  // namespace
 
-/// The engine's summary with so many answers more, which took `time` together. Valid until the
-/// next call.
+/// Returns the engine's summary with so many answers more, which took `time` together. Valid until
+/// the next call.
 EngineSummary& Tally::add(const std::string& engine, std::size_t answers, double time) {
   auto at = std::find_if(engines_.begin(), engines_.end(),
                          [&](const Counted& each) { return each.summary.engine == engine; });

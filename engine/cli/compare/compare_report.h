@@ -13,36 +13,37 @@
 
 namespace graze::cli {
 
-/// What one engine did in all places.
+/// Says what one engine did in all places.
 struct EngineSummary {
   std::string engine;
   std::size_t answers = 0;
-  std::size_t agreed = 0;  ///< nobody contradicted
-  std::size_t right = 0;   ///< the referee confirmed
+  std::size_t agreed = 0;  ///< answers that nobody contradicted
+  std::size_t right = 0;   ///< answers that the referee confirmed
   std::size_t not_judged = 0;
-  std::size_t not_confirmed = 0;  ///< wrong, but not when it was asked again alone
+  std::size_t not_confirmed = 0;  ///< answers that were wrong, but not when they were asked again
+                                  ///< alone
   std::size_t wrong = 0;
   std::array<std::size_t, compare::kErrorClasses.size()>
-      classes{};  ///< of the wrong ones, by ErrorClass
-  std::array<double, compare::kErrorClasses.size()> class_errors{};  ///< the largest, metres
-  std::array<double, compare::kErrorClasses.size()> class_ulps{};    ///< likewise
+      classes{};  ///< the wrong ones by ErrorClass
+  std::array<double, compare::kErrorClasses.size()> class_errors{};  ///< metres, the largest
+  std::array<double, compare::kErrorClasses.size()> class_ulps{};    ///< ulps, the largest
   double largest_error = 0;                                          ///< metres
   double largest_ulps = 0;
   double median_time = 0;  ///< microseconds
   double total_time = 0;
 };
 
-/// What engines did, counted as records come, in memory that does not grow with them.
+/// Counts what engines did as records come, in memory that does not grow with them.
 class Tally {
  public:
   void add(const compare::PlaceRecord& record);
-  /// Of a scene. The median is that of the steps' means.
+  /// Adds a step of a scene. The median is that of the steps' means.
   void add(const compare::StepRecord& record);
 
-  /// In the order in which engines first answered.
+  /// Returns summaries in the order in which engines first answered.
   std::vector<EngineSummary> summaries() const;
 
-  /// "3 wrong of fcl", for whoever waits; empty: nothing is wrong yet.
+  /// Returns "3 wrong of fcl" for those who wait; empty if nothing is wrong yet.
   std::string note() const;
 
  private:
@@ -56,29 +57,29 @@ class Tally {
   std::vector<Counted> engines_;
 };
 
-/// Of all engines in one place, which have no query yet.
+/// Returns the wrong answers of all engines in one place; they have no query yet.
 std::vector<compare::WrongAnswer> wrong_answers(const compare::PlaceRecord& record);
 
-/// A shrunk case and the file that it went to.
+/// Holds a shrunk case and the file that it went to.
 struct WrittenCase {
   compare::ShrunkCase shrunk;
   std::size_t place = 0;
-  std::string where;  ///< the place for people
+  std::string where;  ///< the name of the place, for people
   std::string file;
   std::string says = {};   ///< the engine's answer to the shrunk case, in a few characters
-  std::string least = {};  ///< that it cannot be smaller, where it is more than two triangles
+  std::string least = {};  ///< says that it cannot be smaller, where it is more than two triangles
   bool is_written = true;
-  bool is_recorded = false;  ///< the whole of a query that was answered elsewhere
+  bool is_recorded = false;  ///< true if it is the whole of a query that was answered elsewhere
 };
 
-/// A table of the first of `count` wrong answers, one by one; `place` is "pose", "case".
+/// Returns a table of the first of `count` wrong answers, one by one; `place` is "pose", "case".
 std::string wrong_rows(std::span<const compare::WrongAnswer> first, std::size_t count,
                        const std::string& place);
 
-/// A line an engine.
+/// Returns a line for each engine.
 std::string summary_text(std::span<const EngineSummary> summaries);
 
-/// One JSON object on one line: {"summary":[...],"cases":[...]}.
+/// Returns one JSON object on one line: {"summary":[...],"cases":[...]}.
 std::string summary_json(std::span<const EngineSummary> summaries,
                          std::span<const WrittenCase> cases, const std::string& place);
 

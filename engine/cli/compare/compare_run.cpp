@@ -68,25 +68,26 @@ bool is_shape_file(const std::string& path) {
   return fs::path(path).extension() == ".json";
 }
 
-/// The shape in a file: what a body of a case has, and nothing else.
+/// Loads the shape in a file, which holds what a body of a case has, and nothing else.
 Shape load_shape(const std::string& path) {
   const std::string name = mesh_io::printable(path);
   const cases::JsonValue tree = cases::parse_json(mesh_io::read_file(path, name), name);
   return compare::read_shape(cases::JsonCursor(tree, name));
 }
 
-/// A mesh is a shape, too.
+/// Loads a body; a mesh is a shape, too.
 CaseBody load_body(const std::string& path, const Pose& pose) {
   return {is_shape_file(path) ? load_shape(path) : Shape(load_mesh(path)), pose};
 }
 
-/// A box that B must have room for: of what has no end its origin alone.
+/// Returns a box that B must have room for: for a shape without an end that is its origin alone.
 Aabb room_of(const Shape& shape) {
   const bool is_endless = shape.as<HalfSpace>() != nullptr || shape.as<Plane>() != nullptr;
   return is_endless ? Aabb{{0, 0, 0}, {0, 0, 0}} : bounding_aabb({shape, Pose::Identity()});
 }
 
-/// Of two meshes or two bodies; `b` is the mesh or the shape of B, which has such bounds.
+/// Returns the poses of two meshes or two bodies; `b` is the mesh or the shape of B, which has such
+/// bounds.
 template <typename A, typename B>
 std::shared_ptr<const compare::PoseSource> poses_of(const CompareOptions& options, const A& a,
                                                     const B& b, const Aabb& bounds_b) {
@@ -100,7 +101,7 @@ std::shared_ptr<const compare::PoseSource> poses_of(const CompareOptions& option
   return compare::pose_list({pose});
 }
 
-/// Of --part K/N. Throws UsageError for what is none, and if no record is kept of it.
+/// Reads --part K/N. Throws UsageError for anything else, and if no record is kept of the part.
 compare::JobPart read_part(const CompareOptions& options, std::size_t places) {
   if (options.part.empty()) return {};
   const std::size_t slash = options.part.find('/');
@@ -157,7 +158,7 @@ ComparisonJob read_posed_job(const CompareOptions& options) {
   return job;
 }
 
-/// One run, which hands on what it finds as it comes.
+/// Runs one comparison, and hands on what it finds as it comes.
 class PoseComparison {
  public:
   PoseComparison(const CompareOptions& options, const ComparisonJob& job,

@@ -61,7 +61,7 @@ std::string name_of_place(const Scene& scene, std::size_t step, const ScenePair&
   return fmt::format("{}: {}, {}", step, scene.bodies[pair.a].name, scene.bodies[pair.b].name);
 }
 
-/// From the step before to that of the record; of step 0 a moment.
+/// Returns the span from the step before to that of the record; for step 0 it is a moment.
 compare::TimeSpan span_of(const StepRecord& record, const SceneComparisonSettings& settings) {
   const std::size_t before = std::max<std::size_t>(record.place, 1) - 1;
   return {.from = static_cast<double>(before) * settings.step, .to = record.time};
@@ -91,13 +91,13 @@ std::vector<WrongAnswer> wrong_of_step(const std::string& file, const Scene& sce
   return wrong;
 }
 
-/// A difference and its step.
+/// Holds a difference and its step.
 struct Place {
   const StepRecord* record;
   const compare::SceneDifference* difference;
 };
 
-/// The table of the first differences, as they come.
+/// Makes the table of the first differences, as they come.
 class DifferenceRows {
  public:
   DifferenceRows(const Scene& scene, Ask ask) : scene_(scene), table_(table_for(ask)) {}
@@ -148,7 +148,7 @@ class DifferenceRows {
   std::size_t count_ = 0;
 };
 
-/// Yes or no as a boolean, a first contact in words.
+/// Returns yes or no as a boolean, a first contact in words.
 std::string says_json(const AnswerRecord& answer, Ask ask) {
   if (ask == Ask::FirstContact) return json_string(answer.brief);
   return answer.brief == "yes" ? "true" : "false";

@@ -58,7 +58,7 @@ class Borrowed : public compare::Engine {
   const compare::Engine& engine_;
 };
 
-/// Who gave recorded answers: nothing can be asked of it.
+/// Names who gave recorded answers: nothing can be asked of it.
 class RecordedEngine : public compare::Engine {
  public:
   explicit RecordedEngine(const compare::AnswerFile& file)
@@ -74,7 +74,7 @@ class RecordedEngine : public compare::Engine {
   std::optional<double> tolerance_;
 };
 
-/// A name that no engine may give itself.
+/// True for a name that no engine may give itself.
 bool is_reserved(const std::string& name) {
   return name == compare::kRecorded || name == "world";
 }

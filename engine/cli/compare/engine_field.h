@@ -10,23 +10,24 @@
 
 namespace graze::cli {
 
-/// All engines that this command knows, and those that the commands start. Throws UsageError for a
-/// command that starts none, or one of a name that is taken or that nobody could choose.
+/// Returns all engines that this command knows, and those that the commands start. Throws
+/// UsageError for a command that starts none, or one whose name is taken or could be chosen by
+/// nobody.
 std::vector<compare::EngineEntry> engines_with(const compare::PeerSettings& settings,
                                                std::span<const std::string> commands);
 
-/// The same and more of the command's own. Throws UsageError if an engine of the user's has the
-/// name of one. The engines must outlive the result.
+/// Returns these engines and more of the command's own. Throws UsageError if an engine of the
+/// user's has the name of one. The engines must outlive the result.
 std::vector<compare::EngineEntry> with_more_engines(std::span<const compare::EngineEntry> engines,
                                                     std::vector<compare::EngineEntry> more);
 
-/// The engines that take part, as if there were no others.
+/// Holds the engines that take part, as if there were no others.
 class Field {
  public:
-  /// `names` are separated by commas; empty: all that are here and wait for no name. graze is
-  /// always among them: it is what is on trial; and so are engines of the user's own. Throws
-  /// UsageError for a name that is none, or of an engine that is not here. The engines must outlive
-  /// this.
+  /// Takes the engines of `names`, which are separated by commas; without names it takes all that
+  /// are here and need not be named. graze is always among them, as it is on trial, and so are
+  /// engines of the user's own. Throws UsageError for a name that is none, or of an engine that is
+  /// not here. The engines must outlive this.
   Field(std::span<const compare::EngineEntry> engines, std::string_view names);
 
   /// Adds the recorded answers of these files, each under the name of its engine, or, where that is

@@ -12,14 +12,14 @@ namespace {
 
 using compare::WrongAnswer;
 
-/// So many wrong answers are told one by one: enough to see what goes wrong.
+/// So many wrong answers are told one by one, enough to see what goes wrong.
 constexpr std::size_t kMostTold = WrongList::kFirstOfEngine;
 
 std::string counted(std::size_t count, const char* what) {
   return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
-/// "3 wrong answers: 2 real, 1 touching"
+/// Returns "3 wrong answers: 2 real, 1 touching".
 std::string by_class(const WrongList::Closing& closing) {
   std::string text = counted(closing.count, "wrong answer") + ":";
   const char* separator = " ";
@@ -44,7 +44,7 @@ std::string subject(const CompareFindings& findings) {
          findings.count;
 }
 
-/// A cell of a table, in which a bar would begin the next one.
+/// Returns a cell of a table, in which a bar would begin the next one.
 std::string cell(const std::string& text) {
   std::string out;
   for (const char c : escaped(text)) {

@@ -72,7 +72,7 @@ std::string wrong_table(const HtmlReportInput& input) {
   return out;
 }
 
-/// A whole page as the value of an attribute in double quotes.
+/// Returns a whole page as the value of an attribute in double quotes.
 std::string in_attribute(const std::string& page) {
   std::string out;
   out.reserve(page.size() + page.size() / 50);
@@ -87,14 +87,14 @@ std::string in_attribute(const std::string& page) {
   return out;
 }
 
-/// The size of an error as the tables have it.
+/// Returns the size of an error as the tables have it.
 std::string size_of(const compare::Judgement& judgement) {
   return fmt::format("{}, off by {:.3g} m, {:.3g} ulp", name_of(judgement.error_class),
                      judgement.error, judgement.ulps);
 }
 
-/// The error in the pose that was asked about, which is that of the table, and that of what is left
-/// of it: a smaller case may be wrong by less.
+/// Returns the section of a case. It has the error in the pose that was asked about, which is that
+/// of the table, and the error of what is left of it: a smaller case may be wrong by less.
 std::string case_section(const HtmlReportInput& input, std::size_t number) {
   const WrittenCase& each = input.cases[number];
   const compare::ShrunkCase& shrunk = each.shrunk;

@@ -42,7 +42,7 @@ void check_same_job(const PartFile& first, const PartFile& part) {
   if (!difference.empty()) refuse(part, "is not of the job of " + named(first) + ": " + difference);
 }
 
-/// All parts in their order, each once.
+/// Returns all parts in their order, each once.
 std::vector<PartFile> read_parts(const std::vector<std::string>& paths) {
   std::vector<PartFile> parts;
   for (const std::string& path : paths) {
@@ -98,7 +98,7 @@ CompareFindings no_findings(const MergeOptions& options, const JournalHead& head
   return findings;
 }
 
-/// What every record goes into, in the order of places.
+/// Takes every record, in the order of places.
 class Merged {
  public:
   Merged(const MergeOptions& options, const JournalHead& head, CompareFindings& findings)

@@ -8,12 +8,12 @@
 
 namespace graze::cli {
 
-/// The arguments of `graze merge` as they are given.
+/// Holds the arguments of `graze merge` as they are given.
 struct MergeOptions {
   std::vector<std::string> parts;         ///< records of `graze compare --part`
-  std::string save = {};                  ///< the record of all of them; empty: none
-  std::vector<std::string> fail_on = {};  ///< whose wrong answers fail it (FailOn)
-  std::string junit = {};                 ///< an XML file for what runs tests
+  std::string save = {};                  ///< the record of all parts; empty for none
+  std::vector<std::string> fail_on = {};  ///< says whose wrong answers fail the merge (FailOn)
+  std::string junit = {};                 ///< an XML file for programs that run tests
   std::string markdown = {};              ///< a file for a code host's summary
   bool is_json = false;
   bool has_progress = false;

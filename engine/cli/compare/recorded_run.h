@@ -19,13 +19,13 @@
 
 namespace graze::cli {
 
-/// A comparison that goes from place to place, and of which a record can be kept.
+/// Describes a comparison that goes from place to place, and of which a record can be kept.
 template <typename Record>
 struct RecordedJob {
   compare::JournalHead head;
-  /// What a line of its record holds, from the place `first` on.
+  /// Returns what a line of its record holds, from the place `first` on.
   std::function<std::vector<Record>(const cases::JsonCursor&, std::size_t first)> read = {};
-  /// A line of places that follow each other.
+  /// Returns a line of places that follow each other.
   std::function<std::string(std::span<const Record>)> write = {};
   std::size_t most_in_line = 1;
   /// Goes through the places of the range, and hands on records in their order, until it is told to
@@ -33,20 +33,20 @@ struct RecordedJob {
   std::function<void(const compare::PlaceRange& range,
                      const std::function<bool(std::vector<Record>)>& on_records)>
       run = {};
-  /// Called with each record once, in their order.
+  /// Is called with each record once, in their order.
   std::function<void(const Record&)> on_record = {};
-  /// What is told while it runs, besides how far it came.
+  /// Returns what is told while the job runs, besides how far it came.
   std::function<std::string()> note = {};
 };
 
-/// The records in a file, one by one.
+/// Reads the records in a file, one by one.
 template <typename Record>
 class RecordReader {
  public:
   RecordReader(compare::JournalReader& file, const RecordedJob<Record>& job)
       : file_(file), job_(job), next_(file.head().first()) {}
 
-  /// The next one; null at the end. Throws CaseError, naming file and line.
+  /// Returns the next record, or null at the end. Throws CaseError, naming file and line.
   const Record* next() {
     while (at_ == block_.size()) {
       std::string line;
@@ -89,7 +89,7 @@ class RecordWriter {
   std::vector<Record> block_;
 };
 
-/// One run of a job, with what it is resumed from, what it writes and what it is held against.
+/// Runs a job once, with what it is resumed from, what it writes and what it is held against.
 template <typename Record>
 class RecordedRun {
  public:
@@ -99,15 +99,15 @@ class RecordedRun {
         progress_(job.head.unit + ":", job.head.end() - job.head.first(),
                   {.is_forced = options.has_progress, .has_rows = false}) {}
 
-  /// Goes on where --resume ended, keeps its record, and writes --save. Bad input, of --against
-  /// too, is refused before the run. Throws UsageError, CaseError, Interrupted once what was begun
-  /// is recorded, and what the job throws. What --against found.
+  /// Goes on where --resume ended, keeps its record, and writes --save. Bad input, also that of
+  /// --against, is refused before the run. Returns what --against found. Throws UsageError,
+  /// CaseError, Interrupted once what was begun is recorded, and what the job throws.
   std::optional<std::vector<compare::EngineChange>> run() {
     open_baseline();
     if (!options_.save.empty()) open_save();
     std::optional<Interruption> interruption;
     if (!options_.resume.empty()) {
-      interruption.emplace();  // without a record there is nothing to go on with
+      interruption.emplace();  // without a record there is none to go on with
       go_on();
     }
     const std::size_t first = job_.head.first() + done_;
@@ -150,7 +150,7 @@ class RecordedRun {
     save_.emplace(job_, add);
   }
 
-  /// What there is of an earlier run of the same job comes first: of a pipe or a device nothing.
+  /// Takes first what there is of an earlier run of the same job; a pipe or a device has nothing.
   void go_on() {
     resume_file_.emplace(options_.resume);
     if (resume_file_->has_record(job_.head)) {
@@ -190,14 +190,14 @@ class RecordedRun {
 
   std::optional<std::vector<compare::EngineChange>> changes() {
     if (!baseline_) return std::nullopt;
-    baseline_reader_->next();  // throws for places that there are not
+    baseline_reader_->next();  // it throws for places that do not exist
     return baseline_->changes();
   }
 
   const CompareOptions& options_;
   const RecordedJob<Record>& job_;
   std::size_t done_ = 0;
-  std::size_t fresh_ = 0;  ///< how many of these were done in this run
+  std::size_t fresh_ = 0;  ///< the number of these that were done in this run
   Progress progress_;
   std::optional<compare::JournalReader> baseline_file_;
   std::optional<RecordReader<Record>> baseline_reader_;

@@ -9,16 +9,16 @@
 
 namespace graze::cli {
 
-/// A page of `graze view` that stands in a report.
+/// Holds a page of `graze view` that stands in a report.
 struct ReportViewer {
-  std::string page = {};  ///< all of it; empty: there is none
-  /// Of each case its first picture in that page; none: it could not be drawn.
+  std::string page = {};  ///< the whole page; empty if there is none
+  /// Holds for each case its first picture in that page; none if it could not be drawn.
   std::vector<std::optional<std::size_t>> first = {};
-  std::string note = {};  ///< why there is no page though there are cases; may be empty
+  std::string note = {};  ///< says why there is no page though there are cases; may be empty
 };
 
-/// A page of some cases. Without any, or where the command was built without pages, there is none.
-/// `place` is "pose", "case".
+/// Returns a page of some cases. Without any, or where the command was built without pages, there
+/// is none. `place` is "pose", "case".
 ReportViewer report_viewer(std::span<const WrittenCase> cases, const std::string& place);
 
 }  // namespace graze::cli

@@ -7,7 +7,7 @@
 namespace graze::cli {
 namespace {
 
-/// $'...', which bash, ksh and zsh read: every byte that is not printable ASCII as \xNN.
+/// Returns $'...', which bash, ksh and zsh read: every byte that is not printable ASCII as \xNN.
 std::string escaped_word(const std::string& text) {
   std::string out = "$'";
   for (const char c : text) {
@@ -22,14 +22,14 @@ std::string escaped_word(const std::string& text) {
   return out + "'";
 }
 
-/// Whether a terminal, or a page, shows it as it is.
+/// True if a terminal, or a page, shows the text as it is.
 bool is_shown_as_it_is(const std::string& text) {
   if (mesh_io::printable(text) != text) return false;
   try {
     static_cast<void>(nlohmann::json(text).dump());
     return true;
   } catch (const nlohmann::json::type_error&) {
-    return false;  // no UTF-8
+    return false;  // that is not UTF-8
   }
 }
 

@@ -8,7 +8,7 @@ namespace {
 using compare::WrongAnswer;
 using Numbered = std::pair<std::size_t, WrongAnswer>;
 
-/// Of two that are as bad the first one counts.
+/// True if the first is worse; of two that are as bad the one that came first counts.
 bool is_before(const Numbered& a, const Numbered& b) {
   if (is_worse(a.second, b.second)) return true;
   return !is_worse(b.second, a.second) && a.first < b.first;

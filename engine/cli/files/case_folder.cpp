@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMostCharacters = 40;  // of a part; a name has at most 255
+constexpr std::size_t kMostCharacters = 40;  // the longest part; a name has at most 255
 constexpr std::size_t kDigestCharacters = 12;
 
 bool may_stand_in_a_name(char c) {

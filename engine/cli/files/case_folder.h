@@ -10,17 +10,17 @@
 
 namespace graze::cli {
 
-/// A word for the name of a file, made of what may be anything: letters, digits and `_+.` stay, all
+/// Returns a word for the name of a file, made of any text: letters, digits and `_+.` stay, all
 /// else is `_`, and it ends after 40 characters.
 std::string name_part(std::string_view text);
 
-/// `NAME-CLASS-DIGEST.json`. The digest is of the question, bit for bit, and of the engine and its
-/// version: other questions have other names, and the same one has the same in every run.
+/// Returns `NAME-CLASS-DIGEST.json`. The digest is of the question, bit for bit, and of the engine
+/// and its version: other questions have other names, and the same one has the same in every run.
 std::string case_file_name(const std::string& name, const std::string& error_class,
                            const Case& question);
 
-/// The folder that a run puts its cases into. It removes nothing, and replaces only cases of the
-/// same name.
+/// Writes the cases of a run into a folder. It removes nothing, and replaces only cases of the same
+/// name.
 class CaseFolder {
  public:
   explicit CaseFolder(std::filesystem::path folder) : folder_(std::move(folder)) {}
@@ -30,10 +30,10 @@ class CaseFolder {
   /// Makes the folder if need be. False, with a reason, if that or the writing fails.
   bool write(const std::string& file, const Case& query);
 
-  /// Why the first case could not be written, naming the place; empty if all could.
+  /// Says why the first case could not be written, naming the place; empty if all could.
   const std::string& failure() const { return failure_; }
 
-  /// So many cases lie there that this run has not written.
+  /// Returns how many cases lie there that this run has not written.
   std::size_t count_others() const;
 
  private:

@@ -8,16 +8,17 @@
 
 namespace graze::cli {
 
-/// The files of two meshes beside cases that are about all of them: cases of whole meshes would be
-/// megabytes each.
+/// Keeps the files of two meshes beside cases that are about all of them: cases of whole meshes
+/// would be megabytes each.
 class MeshCopies {
  public:
-  /// `folder` is that of the cases; the copies go into a folder below it.
+  /// Takes the folder of the cases; the copies go into a folder below it.
   MeshCopies(std::filesystem::path folder, std::string mesh_a, std::string mesh_b)
       : folder_(std::move(folder)), mesh_a_(std::move(mesh_a)), mesh_b_(std::move(mesh_b)) {}
 
-  /// The case with its meshes named by files there, which are copied if need be: their names hold a
-  /// part of their sums. As it was where that cannot be done, and for what is no mesh.
+  /// Returns the case with its meshes named by files there, which are copied if need be: their
+  /// names hold a part of their sums. A case stays as it was where that cannot be done, or where it
+  /// has no mesh.
   Case refer(Case query) const;
 
  private:

@@ -15,7 +15,8 @@ namespace {
 namespace fs = std::filesystem;
 using files::OutputTarget;
 
-/// Of what is not there yet the place counts. Devices are no files.
+/// True if both are one file. For a file that is not there yet the place counts. Devices are no
+/// files.
 bool is_same_file(const OutputTarget& output, const fs::path& other) {
   if (output.kind != OutputTarget::Kind::Replaced) return false;
   std::error_code error;
@@ -33,7 +34,8 @@ bool is_standard_output(const OutputTarget& output) {
          status.st_ino == output.old->st_ino;
 }
 
-/// A run that puts such a file there would read it as a case the next time.
+/// True if the file lies among cases: a run that puts it there would read it as a case the next
+/// time.
 bool is_among_cases(const OutputTarget& output, const fs::path& input) {
   std::error_code error;
   if (output.path.extension() != ".json" || !fs::is_directory(input, error)) return false;

@@ -6,8 +6,9 @@
 namespace graze::cli {
 namespace {
 
-/// The default action is back when this begins (SA_RESETHAND), and the signal is held until it
-/// ends: then it comes again, and whoever waits for the program sees what ended it.
+/// Removes temporary files and ends the program. The default action is back when this begins
+/// (SA_RESETHAND), and the signal is held until it ends: then it comes again, and whoever waits for
+/// the program sees what ended it.
 void remove_and_end(int signal) {
   files::remove_temporary_files();
   raise(signal);

@@ -13,8 +13,8 @@
 namespace graze::cli {
 namespace {
 
-/// The triangles that are drawn, by how near their middles are to a point: as few as a picture
-/// shows.
+/// Returns the triangles that are drawn, by how near their middles are to a point: as few as a
+/// picture shows.
 std::vector<std::uint32_t> triangles_near(const PlacedMeshView& placed,
                                           const Eigen::Vector3d& point) {
   const std::size_t count = placed.mesh.triangles().size();
@@ -48,7 +48,7 @@ std::string contact_picture(const PlacedMeshView& a, const PlacedMeshView& b) {
   const MeshDistance nearest = distance(a, b);
   const Eigen::Vector3d point = nearest.point_a / 2 + nearest.point_b / 2;
   std::vector<std::uint32_t> of_a = triangles_near(a, point), of_b = triangles_near(b, point);
-  // The first of A and the last of B say from where the picture is seen: those that meet.
+  // The first triangle of A and the last of B, those that meet, say from where the picture is seen.
   std::erase(of_a, nearest.pair.a), std::erase(of_b, nearest.pair.b);
   of_a.insert(of_a.begin(), nearest.pair.a);
   of_b.resize(std::min(of_b.size(), kMostTrianglesDrawn - 1));

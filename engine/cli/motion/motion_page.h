@@ -9,27 +9,27 @@
 
 namespace graze::cli {
 
-/// What a page of motions is about.
+/// Says what a page of motions is about.
 struct MotionPageSettings {
   std::string title;
-  std::string name_a, name_b;  ///< of the meshes, as they are shown
-  std::size_t motions = 1;     ///< how many there will be: of many each is shown at fewer times
+  std::string name_a, name_b;  ///< the names of the meshes, as they are shown
+  std::size_t motions = 1;  ///< the number of motions to come: each of many is shown at fewer times
 };
 
-/// A page of a mesh that moves past another: pictures along each motion, at even times, and where
-/// the answer says that they meet.
+/// Makes a page of a mesh that moves past another: pictures along each motion, at even times, and
+/// where the answer says that they meet.
 class MotionPage {
  public:
   virtual ~MotionPage() = default;
 
-  /// One more motion of B, and what was answered. Throws what its queries throw.
+  /// Adds a motion of B, and what was answered. Throws what its queries throw.
   virtual void add(const RigidMotion& motion, const RigidContact& contact) = 0;
 
-  /// The whole page.
+  /// Returns the whole page.
   virtual std::string text() const = 0;
 };
 
-/// Throws UsageError where the command was built without pages.
+/// Makes such a page. Throws UsageError where the command was built without pages.
 std::unique_ptr<MotionPage> make_motion_page(const Mesh& mesh_a, const Pose& pose_a,
                                              const Mesh& mesh_b,
                                              const MotionPageSettings& settings);

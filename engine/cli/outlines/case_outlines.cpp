@@ -16,9 +16,9 @@ using Points = std::vector<Eigen::Vector3d>;
 
 constexpr const char* kColourOfA = "#1f6fb4";
 constexpr const char* kColourOfB = "#d95f02";
-constexpr int kTurns = 48;  // corners of a circle
+constexpr int kTurns = 48;  // the number of corners of a circle
 
-/// A circle around z.
+/// Adds a circle around z.
 void add_circle(Points& points, double radius, double z) {
   for (int i = 0; i < kTurns; ++i) {
     const double angle = 2 * std::numbers::pi * i / kTurns;
@@ -52,7 +52,7 @@ Points ball_points(const Eigen::Vector3d& centre, const Eigen::Vector3d& semi_ax
   return points;
 }
 
-/// Points on the surface of a convex shape, in its own frame.
+/// Returns points on the surface of a convex shape, in its own frame.
 struct SurfacePoints {
   Points operator()(const Sphere& s) const {
     return ball_points(s.centre, Eigen::Vector3d::Constant(s.radius));
@@ -84,7 +84,7 @@ struct SurfacePoints {
     return points;
   }
   Points operator()(const HalfSpace&) const { return {}; }    // see plane_near()
-  Points operator()(const Plane&) const { return {}; }        // likewise
+  Points operator()(const Plane&) const { return {}; }        // see plane_near()
   Points operator()(const Mesh&) const { return {}; }         // see add_triangles()
   Points operator()(const HeightField&) const { return {}; }  // a case has its mesh
 };
@@ -136,7 +136,7 @@ struct ShapeOutlines {
   }
 };
 
-/// A square of the plane, as large as what it is near to.
+/// Returns a square of the plane, as large as what it is near to.
 Outline plane_near(const CaseBody& body, const std::vector<Outline>& other) {
   Eigen::Vector3d min = body.pose.translation();
   Eigen::Vector3d max = min;
@@ -159,7 +159,7 @@ Outline plane_near(const CaseBody& body, const std::vector<Outline>& other) {
                      centre - right + up}};
 }
 
-/// The ray from its origin to where it leaves what it is cast at behind.
+/// Adds the ray from its origin to where it leaves behind what it is cast at.
 void add_line(std::vector<Outline>& outlines, const Ray& ray, const std::vector<Outline>& other) {
   const Eigen::Vector3d unit = ray.direction.stableNormalized();
   double length = 0;

@@ -8,7 +8,7 @@
 namespace graze::cli {
 namespace {
 
-/// "2 mm" for 2e-3: words from a nanometre to a kilometre, beyond that powers of ten.
+/// Returns "2 mm" for 2e-3: words from a nanometre to a kilometre, beyond that powers of ten.
 std::string in_units(int digit, int exponent) {
   constexpr std::array<std::pair<int, const char*>, 5> kUnits = {
       {{3, "km"}, {0, "m"}, {-3, "mm"}, {-6, "\u00b5m"}, {-9, "nm"}}};

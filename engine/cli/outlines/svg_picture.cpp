@@ -15,11 +15,11 @@
 namespace graze::cli {
 namespace {
 
-constexpr double kSide = 240;  // of each of the two views, in pixels
+constexpr double kSide = 240;  // the side of each of the two views, in pixels
 constexpr double kMargin = 22;
 constexpr double kLongestBar = 90;
 
-/// A direction to look along, and what is right and up then.
+/// Holds a direction to look along, and what is right and up then.
 struct View {
   Eigen::Vector3d right;
   Eigen::Vector3d up;
@@ -41,7 +41,7 @@ Eigen::Vector3d normal_of(const Outline& outline, const Eigen::Vector3d& otherwi
   return unit((to_b / size).cross(to_c / size)).value_or(otherwise);
 }
 
-/// The direction from one body to the other, if the library knows it.
+/// Returns the direction from one body to the other, if the library knows it.
 std::optional<Eigen::Vector3d> direction_between(const Case& query) {
   const std::optional<compare::BodyCase> bodies = compare::as_bodies(query);
   if (!bodies) return std::nullopt;
@@ -53,8 +53,8 @@ std::optional<Eigen::Vector3d> direction_between(const Case& query) {
   }
 }
 
-/// What is between the two shows from both sides: of bodies along the line from one to the other,
-/// of triangles with one view onto the plane of the first, and one along it.
+/// Returns views that show from both sides what is between the two: along the line from one body to
+/// the other, or for triangles one view onto the plane of the first, and one along it.
 std::array<View, 2> views_of(const Case& query, const std::vector<Outline>& outlines) {
   if (const std::optional<Eigen::Vector3d> direction = direction_between(query)) {
     const Eigen::Vector3d up = direction->unitOrthogonal();
@@ -76,7 +76,7 @@ double turn(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vec
   return (b - a).x() * (c - a).y() - (b - a).y() * (c - a).x();
 }
 
-/// The corners of the points' convex hull, by Andrew's chains.
+/// Returns the corners of the points' convex hull, by Andrew's chains.
 Seen silhouette(Seen points) {
   std::sort(points.begin(), points.end(), [](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
     return std::pair(a.x(), a.y()) < std::pair(b.x(), b.y());
@@ -116,7 +116,7 @@ double fit(std::vector<Seen>& all, double left) {
   return scale;
 }
 
-/// A line of round length with its length under it, in the view's lower left corner.
+/// Returns a line of round length with its length under it, in the view's lower left corner.
 std::string bar_of(double pixels_per_metre, double left) {
   const ScaleBar bar = scale_bar(kLongestBar / pixels_per_metre);
   if (bar.length == 0) return "";
@@ -162,7 +162,7 @@ std::string svg_picture(const Case& query) {
                        left + 0.5, kSide - 1, kSide - 1);
     for (std::size_t i = 0; i < all.size(); ++i) {
       for (const Eigen::Vector2d& at : all[i])
-        if (!at.allFinite()) return "";  // beyond what can be drawn
+        if (!at.allFinite()) return "";  // such numbers are beyond what can be drawn
       svg += svg_of(all[i], outlines[i].colour);
     }
     svg += bar_of(scale, left);

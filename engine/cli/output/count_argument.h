@@ -6,23 +6,23 @@
 
 namespace graze::cli {
 
-/// What --threads can be at most.
+/// The largest number that --threads takes.
 inline constexpr std::uint32_t kMaxThreads = 1024;
 
-/// A whole number between these, both included. Decimal digits alone: the parser of options would
-/// read 010 as eight. Throws UsageError, which names the option.
+/// Reads a whole number between these, both included. It takes decimal digits alone: the parser of
+/// options would read 010 as eight. Throws UsageError, which names the option.
 std::uint32_t parse_count(const std::string& text, const char* option, std::uint32_t lowest,
                           std::uint32_t highest);
 
-/// What the parser of options asks about an argument: empty, or in few words what is wrong with it.
+/// Answers the parser of options about an argument: empty, or in few words what is wrong with it.
 using ArgumentCheck = std::function<std::string(const std::string&)>;
 
-/// A whole number between these, in decimal digits without a zero in front.
+/// Accepts a whole number between these, in decimal digits without a zero in front.
 ArgumentCheck whole_number(std::uint64_t lowest, std::uint64_t highest);
 
 enum class Sign { Positive, NotNegative };
 
-/// A number with this sign that is finite.
+/// Accepts a finite number with this sign.
 ArgumentCheck finite_number(Sign sign);
 
 }  // namespace graze::cli

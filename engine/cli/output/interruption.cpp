@@ -7,7 +7,8 @@ namespace {
 
 std::atomic<bool> requested = false;
 
-/// What a second signal does; written before the handler is there, and read by it alone.
+/// Says what a second signal does; it is written before the handler is there, and read by that
+/// alone.
 struct sigaction next = {};
 
 static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may use nothing else");

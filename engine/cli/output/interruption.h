@@ -6,15 +6,16 @@
 
 namespace graze::cli {
 
-/// A run was stopped by its user, with a record of what is done; what() says how to go on.
+/// Is thrown when a run was stopped by its user, with a record of what is done; what() says how to
+/// go on.
 class Interrupted : public Error {
  public:
   using Error::Error;
 };
 
-/// While this lives the first SIGINT ends nothing, but can be asked about; a second one does
-/// what it did before: it ends the program. Where the signal is ignored, as in the background of a
-/// script, it stays so. One at a time.
+/// While it lives the first SIGINT ends nothing, but can be asked about; a second one does what it
+/// did before: it ends the program. Where the signal is ignored, as in the background of a script,
+/// it stays so. There may be one at a time.
 class Interruption {
  public:
   Interruption();

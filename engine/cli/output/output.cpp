@@ -17,8 +17,8 @@ void Output::write(std::string_view text) {
   throw OutputError(std::string("cannot write to standard output: ") + std::strerror(errno));
 }
 
-// In ascending order each gets its own number, the lowest that is free. Input is opened for
-// writing, the others for reading, so that nobody takes them for streams that work.
+// They go in ascending order, so that each gets its own number, the lowest that is free. Input is
+// opened for writing, the others for reading, so that nobody takes them for streams that work.
 void reserve_standard_streams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     if (fcntl(stream, F_GETFD) != -1 || errno != EBADF) continue;

@@ -7,19 +7,20 @@
 
 namespace graze::cli {
 
-/// Standard output could not be written: a full disk, for example.
+/// Is thrown if standard output could not be written: a full disk, for example.
 class OutputError : public Error {
  public:
   using Error::Error;
 };
 
-/// Whoever read the output has closed it, as `head` does: no failure, but no use going on.
+/// Is thrown if whoever read the output has closed it, as `head` does: no failure, but no use going
+/// on.
 class OutputClosed {};
 
-/// A stream on which each piece of text is seen at once by whoever reads it.
+/// A stream whose reader sees each piece of text at once.
 class Output {
  public:
-  /// `stream` must outlive this.
+  /// Keeps the stream, which must outlive it.
   explicit Output(std::FILE* stream) : stream_(stream) {}
 
   /// Writes and flushes. Throws OutputClosed or OutputError.
@@ -29,9 +30,9 @@ class Output {
   std::FILE* stream_;
 };
 
-/// Gives back the numbers of standard input, output and error where the caller has closed them:
-/// else the next file that is opened would get one, and have written into it whatever the program,
-/// or a library, says. What is written to such a stream fails, as it does to a closed one.
+/// Takes the numbers of standard input, output and error where the caller has closed them. Else the
+/// next file that is opened would get one, and whatever the program, or a library, says would be
+/// written into it. What is written to such a stream fails, as it does to a closed one.
 void reserve_standard_streams();
 
 }  // namespace graze::cli

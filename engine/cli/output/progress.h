@@ -7,9 +7,9 @@
 namespace graze::cli {
 
 struct ProgressSettings {
-  /// Report even if stderr is no terminal.
+  /// True to report even if stderr is no terminal.
   bool is_forced = false;
-  /// Results are written row by row meanwhile: on a terminal they are the progress.
+  /// True if results are written row by row meanwhile: on a terminal they are the progress.
   bool has_rows = true;
 };
 
@@ -24,11 +24,11 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// To be called whenever another part is done. `note` stands behind, in brackets, if it is not
-  /// empty.
+  /// Says how many parts are done; it is to be called whenever one more is. `note` stands behind,
+  /// in brackets, if it is not empty.
   void update(std::size_t done, const std::string& note = "");
 
-  /// Whether update() would say anything: what makes a note can be left out if not.
+  /// True if update() would say anything: else the work for a note can be left out.
   bool is_due() const { return style_ != Style::Silent && Clock::now() >= next_report_; }
 
  private:

@@ -14,13 +14,13 @@
 namespace graze::cli {
 namespace {
 
-/// Poses that are held at a time: 8 MiB of them.
+/// So many poses are held at a time: 8 MiB of them.
 constexpr std::size_t kBlock = std::size_t{1} << 16;
 
-/// Poses that a thread takes at a time: enough that far ones outweigh the taking.
+/// A thread takes so many poses at a time: enough that far ones outweigh the taking.
 constexpr std::size_t kMostInAPart = 64;
 
-/// The type of an answer, as numpy writes it.
+/// Returns the type of an answer, as numpy writes it.
 const char* dtype_of(PairQuery query) {
   switch (query) {
     case PairQuery::Any:
@@ -33,7 +33,7 @@ const char* dtype_of(PairQuery query) {
   return "[('intersects', '|b1'), ('pairs', '<u8')]";
 }
 
-/// Version 1.0 of the format: the header ends at a multiple of 64 bytes.
+/// Returns the header in version 1.0 of the format, which ends at a multiple of 64 bytes.
 std::string array_header(PairQuery query, std::size_t count) {
   std::string text = fmt::format("{{'descr': {}, 'fortran_order': False, 'shape': ({},), }}",
                                  dtype_of(query), count);
@@ -47,10 +47,10 @@ std::string array_header(PairQuery query, std::size_t count) {
   return header + text;
 }
 
-/// What is kept of an answer until it is written.
+/// Keeps an answer until it is written.
 struct Row {
   bool intersects = false;
-  std::uint64_t number = 0;  ///< the bits of the distance, or how many pairs
+  std::uint64_t number = 0;  ///< the bits of the distance, or the number of pairs
 };
 
 Row row_of(const PoseAnswer& answer) {
@@ -58,7 +58,7 @@ Row row_of(const PoseAnswer& answer) {
   return {answer.intersects, answer.pairs ? answer.pairs->size() : 0};
 }
 
-/// Numbers are written with their lowest byte first, whatever the machine.
+/// Appends an answer. Numbers are written with their lowest byte first, whatever the machine.
 void append(files::OutputFile& file, PairQuery query, const Row& row) {
   std::array<char, 9> bytes;
   bytes[0] = row.intersects ? '\1' : '\0';
@@ -122,7 +122,7 @@ std::string to_json(const AnswerTotals& totals, const std::string& path) {
     json["nearest_pose"] = totals.nearest_pose;
   }
   json["file"] = path;
-  // File names need not be UTF-8, JSON must be.
+  // File names need not be UTF-8, but JSON must be.
   std::string line = json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
   line.pop_back();
   append_work(line, totals.work);

@@ -23,7 +23,7 @@ class FclCheck {
                                         const Pose& pose_b) const = 0;
 };
 
-/// Whether this command was built with FCL.
+/// True if this command was built with FCL.
 bool has_fcl_check();
 
 /// Builds FCL's trees over both meshes. Throws UsageError if the command was built without FCL.

@@ -1,4 +1,4 @@
-// Takes the place of fcl_check.cpp in builds without FCL.
+// This file takes the place of fcl_check.cpp in builds without FCL.
 
 #include <graze/engine/cli/output/outcome.h>
 #include <graze/engine/cli/pair/fcl_check.h>

@@ -11,18 +11,18 @@
 
 namespace graze::cli {
 
-/// What `graze pair` was asked for each pose.
+/// Says what `graze pair` was asked for each pose.
 enum class PairQuery { Any, Pairs, Distance };
 
-/// What it found for one pose.
+/// Holds what it found for one pose.
 struct PoseAnswer {
-  std::size_t pose = 0;  ///< counted from 0
+  std::size_t pose = 0;  ///< the pose's number, counted from 0
   bool intersects = false;
-  std::optional<TrianglePairs> pairs;  ///< if the query was for pairs
-  std::optional<MeshDistance> gap;     ///< if it was for the distance
+  std::optional<TrianglePairs> pairs;  ///< the pairs, if the query was for them
+  std::optional<MeshDistance> gap;     ///< the distance, if the query was for it
   Work work;
   std::chrono::duration<double, std::micro> time{0};
-  std::optional<compare::Comparison> fcl;  ///< if a check was asked for
+  std::optional<compare::Comparison> fcl;  ///< FCL's comparison, if a check was asked for
 };
 
 }  // namespace graze::cli

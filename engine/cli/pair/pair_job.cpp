@@ -71,7 +71,7 @@ void check_combinations(const PairOptions& options) {
   check_distance_combinations(options);
 }
 
-/// The poses of B, each of which can take it there.
+/// Reads the poses of B, each of which can take it there.
 std::shared_ptr<const compare::PoseSource> read_poses_b(const PairOptions& options,
                                                         const Mesh& mesh_b) {
   if (options.poses) return compare::pose_file(*options.poses, mesh_b.bounds());
@@ -114,7 +114,7 @@ void check_solids(const PairOptions& options, const PairJob& job) {
   check_closed(job.mesh_b, ("--solid: " + options.mesh_b).c_str());
 }
 
-/// What "intersects" says where triangles alone do not tell.
+/// Returns what "intersects" says where triangles alone do not tell.
 bool do_intersect(const PairJob& job, const Pose& pose_b, Work& work) {
   const PlacedMeshView a{job.mesh_a, job.pose_a}, b{job.mesh_b, pose_b};
   if (job.interior == Interior::Solid && job.touch == Touch::Exclude)
@@ -142,7 +142,7 @@ PairJob read_pair_job(const PairOptions& options) {
   const Pose pose_a =
       options.pose_a.empty() ? Pose::Identity() : parse_pose(options.pose_a, "--pose-a");
   const Mesh mesh_a = load_mesh(options.mesh_a);
-  // One file, one mesh: the tree is then shared too.
+  // One file gives one mesh, so that its tree is shared, too.
   const Mesh mesh_b = options.mesh_b == options.mesh_a ? mesh_a : load_mesh(options.mesh_b);
   check_placement(pose_a, mesh_a.bounds(), "--pose-a");
   PairJob job = {mesh_a,
@@ -182,7 +182,7 @@ PoseAnswer ask(const PairJob& job, const Pose& pose_b, int threads) {
 
 namespace {
 
-/// Answers as they come, a row each.
+/// Reports answers as they come, a row each.
 ExitCode report_answers(const PairJob& job, const PairOptions& options, Output& output) {
   const PairReportSettings settings = {
       .query = job.query, .is_listing = options.is_listing, .is_checked = job.fcl != nullptr};
@@ -207,7 +207,7 @@ ExitCode report_answers(const PairJob& job, const PairOptions& options, Output& 
   return is_graze_wrong ? ExitCode::GrazeWrong : ExitCode::Answered;
 }
 
-/// Answers in a file, and what they come to.
+/// Writes answers to a file, and reports what they come to.
 ExitCode file_answers(const PairJob& job, const PairOptions& options, Output& output) {
   Progress progress("poses:", job.poses_b->size(),
                     {.is_forced = options.has_progress, .has_rows = false});
@@ -217,7 +217,7 @@ ExitCode file_answers(const PairJob& job, const PairOptions& options, Output& ou
     output.write(options.is_json ? to_json(totals, *options.output)
                                  : to_text(totals, *options.output));
   } catch (const OutputClosed&) {
-    // The file stands, whoever reads of it.
+    // The file stands, though nobody reads of it.
   }
   return ExitCode::Answered;
 }

@@ -13,28 +13,29 @@
 
 namespace graze::cli {
 
-/// Everything that the queries need.
+/// Holds everything that the queries need.
 struct PairJob {
   Mesh mesh_a;
   Mesh mesh_b;
   Pose pose_a;
-  std::shared_ptr<const compare::PoseSource> poses_b;  ///< those of a file stay there
+  std::shared_ptr<const compare::PoseSource> poses_b;  ///< poses of B; those of a file stay in the
+                                                       ///< file
   PairQuery query;
   PairVolume volume;
   Touch touch;
   Interior interior;
-  int threads;  ///< of each query, or of all together where their answers go to a file
+  int threads;  ///< threads of each query, or of all together where their answers go to a file
   std::unique_ptr<FclCheck> fcl;
 };
 
 /// Reads and checks all input. Throws UsageError, PoseError, MeshError or FileError.
 PairJob read_pair_job(const PairOptions& options);
 
-/// Asks for one pose of B, on so many threads. Can be asked by many threads at once.
+/// Asks about one pose of B, on so many threads. Many threads may ask at once.
 PoseAnswer ask(const PairJob& job, const Pose& pose_b, int threads);
 
-/// Answers for each pose. All input is read and checked before the first query, so that bad input
-/// leaves standard output empty. Throws UsageError, PoseError, MeshError or FileError.
+/// Prints answers for each pose. All input is read and checked before the first query, so that bad
+/// input leaves standard output empty. Throws UsageError, PoseError, MeshError or FileError.
 ExitCode run_pair(const PairOptions& options, Output& output);
 
 }  // namespace graze::cli

@@ -1,5 +1,5 @@
-// Written by hand: the values are numbers and booleans only, the order of the keys is promised, and
-// lists of millions of pairs need not become trees of JSON values first.
+// The JSON is written by hand: the values are numbers and booleans only, the order of the keys is
+// promised, and lists of millions of pairs need not become trees of JSON values first.
 
 #include <graze/engine/cli/pair/pair_report.h>
 

@@ -10,8 +10,8 @@ namespace graze::cli {
 
 struct PairReportSettings {
   PairQuery query = PairQuery::Pairs;
-  bool is_listing = false;  ///< print each pair of triangles
-  bool is_checked = false;  ///< answers carry a comparison
+  bool is_listing = false;  ///< true to print each pair of triangles
+  bool is_checked = false;  ///< true if answers carry a comparison
 };
 
 /// Prints answers as they come.
@@ -23,13 +23,13 @@ class PairReport {
   virtual void end() = 0;
 };
 
-/// `,"work":{...}` behind what the line holds.
+/// Appends `,"work":{...}` to what the line holds.
 void append_work(std::string& line, const Work& work);
 
-/// One JSON object per line and pose.
+/// Makes a report of one JSON object per line and pose.
 std::unique_ptr<PairReport> make_json_report(Output& output, const PairReportSettings& settings);
 
-/// A table for people, with a summary at its end.
+/// Makes a table for people, with a summary at its end.
 std::unique_ptr<PairReport> make_table_report(Output& output, const PairReportSettings& settings);
 
 }  // namespace graze::cli

@@ -19,15 +19,15 @@ namespace {
 using compare::PlacedBody;
 using Eigen::Vector3d;
 
-/// So near, of the largest coordinate, both bounds of a shortest translation are looked for.
+/// Both bounds of a shortest translation are sought to this share of the largest coordinate.
 constexpr double kNearEnough = 1e-9;
 
 bool is_surface(const PlacedBody& body) {
   return body.shape.kind() == ShapeKind::Mesh || body.shape.kind() == ShapeKind::HeightField;
 }
 
-/// The direction across which a plane parts the two most: that of the nearest points, or an axis of
-/// one of them.
+/// Returns the direction across which a plane parts the two most: that of the nearest points, or an
+/// axis of one of them.
 Vector3d best_direction(const PlacedBody& a, const PlacedBody& b, const Vector3d& proposed) {
   Vector3d best = proposed;
   for (const PlacedBody* body : {&a, &b}) {
@@ -41,7 +41,8 @@ Vector3d best_direction(const PlacedBody& a, const PlacedBody& b, const Vector3d
   return best;
 }
 
-/// A half-space and a plane part others across their own direction alone.
+/// Turns the direction to that of a half-space or a plane, which part others across their own
+/// direction alone.
 Vector3d turned_to_flat(const PlacedBody& a, const PlacedBody& b, const Vector3d& n) {
   if (const auto flat = compare::flat_of(a.shape)) return a.pose.linear() * flat->normal;
   if (const auto flat = compare::flat_of(b.shape)) return -(b.pose.linear() * flat->normal);
@@ -107,7 +108,7 @@ void add_meshes(const PlacedMeshView& a, const PlacedMeshView& b, Reasons& all) 
       gap.pair.a, gap.pair.b, gap.distance, words_of(gap.point_a), words_of(gap.point_b)));
 }
 
-/// Contacts are no matter of a plane and two points, but of how far B must go.
+/// Adds how far B must go; a plane and two points prove nothing about contacts.
 void add_claimed_depth(const PlacedBody& a, const PlacedBody& b, const CaseAnswer& answer,
                        Reasons& all) {
   if (!answer.manifold || answer.manifold->empty()) return;
@@ -123,7 +124,7 @@ void add_claimed_depth(const PlacedBody& a, const PlacedBody& b, const CaseAnswe
       deepest.depth, words_of(deepest.normal), needed));
 }
 
-/// How far B must go along the answer, and how far along the shortest direction, by planes.
+/// Adds how far B must go along the answer, and how far along the shortest direction, by planes.
 void add_claimed_translation(const PlacedBody& a, const PlacedBody& b, const CaseAnswer& answer,
                              Reasons& all) {
   const double length = answer.translation->norm();
@@ -177,7 +178,7 @@ Reasons place_reasons(const Case& query) {
   return all;
 }
 
-/// Where the two stand, and where they do once B has moved.
+/// Says where the two stand, and where they do once B has moved.
 Reasons separation_reasons(const Case& query, const compare::Judgement& judgement) {
   Reasons all = place_reasons(query);
   const compare::MeshCase meshes = *compare::as_meshes(query);

@@ -35,7 +35,7 @@ void add_freedom_before(MotionProofs& proofs, double contact, Reasons& all) {
   }
 }
 
-/// "free", a time, yes or no, in words.
+/// Returns "free", a time, yes or no, in words.
 std::string said(const Case& query) {
   const CaseAnswer& answer = *query.answer;
   if (query.ask == Ask::Free)
@@ -47,7 +47,7 @@ std::string said(const Case& query) {
   return fmt::format("The answer says that they meet at {:.12g}.", *answer.high);
 }
 
-/// How a wrong time is off.
+/// Says by how much a wrong time is off.
 std::string difference(const Case& query, double contact, const compare::Judgement& judgement) {
   const CaseAnswer& answer = *query.answer;
   const bool is_missed =

@@ -11,7 +11,7 @@ namespace {
 
 using compare::Verdict;
 
-/// What the library answers, once the judge has found it right: else nothing.
+/// Returns what the library answers, once the judge has found it right, and else nothing.
 std::optional<CaseAnswer> proved_answer(const Case& query) {
   const CaseAnswer answer = answer_case(query);
   const compare::Judgement judgement = compare::Judge(query).judge(answer, {"graze", ""});
@@ -55,7 +55,7 @@ Reasons ray_reasons(const Case& query, const compare::Judgement& judgement) {
     return all;
   }
   if (truth->hits->empty()) all.push_back("It meets nothing.");
-  constexpr std::size_t kMost = 4;  // of a ray's hits these are told
+  constexpr std::size_t kMost = 4;  // so many of a ray's hits are told
   for (std::size_t i = 0; i < std::min(truth->hits->size(), kMost); ++i)
     all.push_back((i == 0 ? "It first " : "Then it ") + words_of_hit((*truth->hits)[i]) + ".");
   if (truth->hits->size() > kMost)

@@ -15,10 +15,10 @@ namespace {
 
 using nlohmann::json;
 
-// glTF's numbers for what they say.
+// These are glTF's numbers for what their names say.
 constexpr int kFloat = 5126, kUnsignedInt = 5125;
 constexpr int kVertices = 34962, kIndices = 34963;
-// Of the chunks of a GLB: "JSON" and "BIN", lowest byte first.
+// These name the chunks of a GLB: "JSON" and "BIN", lowest byte first.
 constexpr std::uint32_t kJsonChunk = 0x4e4f534a, kBinaryChunk = 0x004e4942;
 
 void append_u32(std::uint32_t value, std::string& to) {
@@ -61,7 +61,7 @@ std::size_t GltfFile::end(json accessor) {
   return file_["accessors"].size() - 1;
 }
 
-/// What the view that was begun last is for.
+/// Says what the view that was begun last is for.
 void GltfFile::say_target(int target) {
   file_["bufferViews"].back()["target"] = target;
 }
@@ -165,7 +165,7 @@ std::string GltfFile::bytes(const std::vector<std::size_t>& nodes, const std::st
   if (!note.empty()) file_["asset"]["extras"] = {{"note", note}};
   file_["buffers"] = json::array({{{"byteLength", buffer_.size()}}});
   std::string chunks;
-  // What is no UTF-8 becomes a mark that says so.
+  // A byte that is not UTF-8 becomes a mark that says so.
   append_chunk(kJsonChunk, file_.dump(-1, ' ', false, json::error_handler_t::replace), ' ', chunks);
   append_chunk(kBinaryChunk, buffer_, '\0', chunks);
   constexpr std::size_t kFront = 12;

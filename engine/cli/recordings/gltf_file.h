@@ -14,32 +14,33 @@
 
 namespace graze::cli {
 
-/// A file of glTF 2.0 in its binary form, GLB, as it grows: JSON that says what is where in one
-/// buffer. Numbers are floats.
+/// Holds a file of glTF 2.0 in its binary form, GLB, as it grows: JSON that says what is where in
+/// one buffer. Numbers are floats.
 class GltfFile {
  public:
   GltfFile();
 
-  /// Returns the number of the mesh.
+  /// Adds a mesh and returns its number.
   std::size_t add_mesh(std::span<const Eigen::Vector3d> vertices,
                        std::span<const TriangleIndices> triangles, std::size_t material);
-  /// A matt colour, red, green and blue from 0 to 1. Returns its number.
+  /// Adds a matt colour, red, green and blue from 0 to 1, and returns its number.
   std::size_t add_material(const Eigen::Vector3f& colour);
 
-  /// A node at a pose. Returns its number.
+  /// Adds a node at a pose and returns its number.
   std::size_t add_node(const std::string& name, const Pose& pose,
                        std::optional<std::size_t> mesh = {},
                        const std::vector<std::size_t>& children = {});
 
-  /// Seconds, ascending; for the channels that follow. Returns the number of the accessor.
+  /// Adds seconds, ascending, for the channels that follow. Returns the number of the accessor.
   std::size_t add_times(std::span<const float> seconds);
-  /// Translation and rotation of a node at these times, straight and the shorter way in between.
+  /// Adds the translation and rotation of a node at these times, straight and the shorter way in
+  /// between.
   void add_motion(std::size_t node, std::size_t times, std::span<const Pose> poses);
-  /// From which times on a node is seen, 1, or is not, 0.
+  /// Adds from which times on a node is seen, 1, or is not, 0.
   void add_presence(std::size_t node, std::size_t times, std::span<const float> is_seen);
 
-  /// The whole file: these nodes stand in one that turns z, which is up, to glTF's y. Throws
-  /// InputError for more than a GLB can have, 4 GiB.
+  /// Returns the whole file: these nodes stand in one that turns z, which is up, to glTF's y.
+  /// Throws InputError for more than a GLB can have, 4 GiB.
   std::string bytes(const std::vector<std::size_t>& nodes, const std::string& note);
 
  private:

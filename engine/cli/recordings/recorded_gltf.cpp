@@ -14,15 +14,16 @@
 namespace graze::cli {
 namespace {
 
-/// A body in one shape, over time.
+/// Holds a body in one shape, over time.
 struct Track {
   std::string name;
-  std::size_t first = 0;        ///< the picture that it is first in
-  std::vector<Pose> poses;      ///< from the first one on, while it is there
-  std::vector<float> presence;  ///< of all pictures, as far as they are known
+  std::size_t first = 0;        ///< the first picture that it is in
+  std::vector<Pose> poses;      ///< its poses from that one on, while it is there
+  std::vector<float> presence;  ///< its presence in all pictures, as far as it is known
 };
 
-/// Six that the colour-blind tell apart (Okabe and Ito, "Color universal design", 2008), linear.
+/// These are six colours that the colour-blind tell apart (Okabe and Ito, "Color universal design",
+/// 2008), linear.
 constexpr std::array<std::array<float, 3>, 6> kColours{{{0.79F, 0.35F, 0.0F},
                                                         {0.09F, 0.46F, 0.81F},
                                                         {0.0F, 0.34F, 0.17F},
@@ -58,7 +59,7 @@ class Tracks {
       Track& track = known->second;
       if (is_new) track.first = picture;
       track.name = names_.of(id);
-      // While it was not there it stood where it was last.
+      // While the body was not there it stood where it was last.
       if (!track.poses.empty()) track.poses.resize(picture - track.first, track.poses.back());
       track.poses.push_back(poses_.at(id));
       track.presence.resize(picture, 0);
@@ -85,7 +86,7 @@ class Tracks {
     touching_ = {state.touching.begin(), state.touching.end()};
   }
 
-  /// The meshes of a shape's pieces, each once.
+  /// Returns the meshes of a shape's pieces, each once.
   const std::vector<std::size_t>& meshes(std::uint32_t shape,
                                          const std::vector<RecordedPiece>& pieces) {
     const auto [known, is_new] = meshes_.try_emplace(shape);

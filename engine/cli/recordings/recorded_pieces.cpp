@@ -6,7 +6,7 @@
 namespace graze::cli {
 namespace {
 
-/// The corners of a cube's faces, 1 where they lie at the upper plane, counter-clockwise from
+/// Holds the corners of a cube's faces, 1 where they lie at the upper plane, counter-clockwise from
 /// outside; and the way to the neighbour beyond each.
 struct CubeFace {
   std::array<int, 3> beyond;

@@ -12,33 +12,33 @@
 
 namespace graze::cli {
 
-/// A shape that is seen of a body: all of it, or a part.
+/// Holds a shape that is seen of a body: all of it, or a part.
 struct RecordedPiece {
   Shape shape;
-  Pose pose;  ///< in the body's frame
+  Pose pose;  ///< the pose in the body's frame
   std::optional<std::uint32_t> part = {};
 };
 
-/// What is seen of a body's shape: of a compound its parts, of a map of voxels the mesh of its
-/// outer faces.
+/// Returns what is seen of a body's shape: the parts of a compound, the mesh of the outer faces of
+/// a map of voxels.
 std::vector<RecordedPiece> pieces_of(const BodyShape& shape);
 
-/// The faces of full voxels beside empty ones, four vertices each.
+/// Returns the faces of full voxels beside empty ones, four vertices each.
 Mesh outer_faces(const VoxelMap& map);
 
-/// A body in the shape that it had for a while.
+/// Holds a body in the shape that it had for a while.
 struct RecordedLook {
   BodyId id;
   std::uint32_t shape = 0;
   friend auto operator<=>(const RecordedLook&, const RecordedLook&) = default;
 };
 
-/// Which bodies are there, in which shapes, as changes tell it.
+/// Says which bodies are there, in which shapes, as changes tell it.
 class RecordedBodies {
  public:
   explicit RecordedBodies(const RecordedState& start) { take(start); }
   void note(const std::vector<RecordedChange>& changes);
-  /// Ascending by id.
+  /// Returns the shapes, ascending by id.
   const std::map<BodyId, std::uint32_t>& shapes() const { return shapes_; }
 
  private:

@@ -8,10 +8,10 @@
 
 namespace graze::cli {
 
-/// Whether a file begins as a recording does. What cannot be read is none.
+/// True if a file begins as a recording does. A file that cannot be read is no recording.
 bool is_recording(const std::string& file);
 
-/// How bodies are called: by the names that the recording has for them, else by their indices.
+/// Says how bodies are called: by the names that the recording has for them, else by their indices.
 class RecordedNames {
  public:
   /// Takes note of names, and of bodies that are gone.

@@ -13,7 +13,7 @@ namespace {
 
 using cases::json_string;
 
-/// What came of it.
+/// Holds what came of the comparison.
 struct Comparison {
   std::size_t updates = 0;
   std::size_t differing = 0;
@@ -21,7 +21,7 @@ struct Comparison {
   std::string pair = {};  ///< the names of its pair
   std::string json_pair = {};
   bool is_complete = true;
-  bool is_input = false;  ///< what was done differs, not what was said
+  bool is_input = false;  ///< true if what was done differs, not what was said
 };
 
 void note(const RecordingDifference& difference, const RecordedNames& names, Comparison& so_far) {
@@ -61,7 +61,7 @@ std::optional<RecordingDifference> difference_of_starts(const RecordingReader& s
   return found;
 }
 
-/// The contacts that both keep.
+/// Keeps the contacts that both have.
 void keep_common(const RecordingHead& s, const RecordingHead& t, RecordedAnswers& first,
                  RecordedAnswers& second) {
   if (s.contacts != t.contacts) first.contacts.clear(), second.contacts.clear();

@@ -13,8 +13,9 @@ SceneRecorder::SceneRecorder(const std::optional<std::string>& file, const Scene
       WorldRecorderSettings{.contacts = contacts,
                             .seconds_per_update = simulation.time_of(1),
                             .note = scene.note,
-                            .writing = RecordedWriting::AtOnce});  // who stops it has all steps
-  const std::vector<BodyId> ids = simulation.world().bodies();     // in the order of the scene
+                            .writing = RecordedWriting::AtOnce});  // so that whoever stops it has
+                                                                   // all steps
+  const std::vector<BodyId> ids = simulation.world().bodies();  // the ids in the order of the scene
   for (std::size_t i = 0; i < ids.size(); ++i)
     recorder_->name(ids[i], scene.bodies[i].name);
 }

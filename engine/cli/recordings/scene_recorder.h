@@ -11,14 +11,14 @@ namespace graze::cli {
 /// Writes what a simulation of a scene does, if it is asked to.
 class SceneRecorder {
  public:
-  /// Nothing is written if there is no file. `simulation` has not advanced yet. Throws as
-  /// WorldRecorder does.
+  /// Writes nothing if there is no file. `simulation` has not advanced yet. Throws as WorldRecorder
+  /// does.
   SceneRecorder(const std::optional<std::string>& file, const Scene& scene, Simulation& simulation,
                 RecordedContacts contacts);
 
   /// Throws what went wrong so far.
   void check();
-  /// Ends the file. Throws likewise.
+  /// Ends the file. Throws what went wrong.
   void finish();
 
  private:

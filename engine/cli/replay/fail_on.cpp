@@ -31,7 +31,7 @@ ErrorClass class_named(std::string_view name) {
   throw UsageError("--fail-on: there is no class " + mesh_io::quoted(name) + ", but " + known);
 }
 
-/// The size behind the last `>`, which goes with it; nothing if there is none.
+/// Takes the size behind the last `>`, with that mark; nothing if there is none.
 std::optional<double> take_size(std::string& word) {
   const std::size_t at = word.rfind('>');
   if (at == word.npos) return std::nullopt;
@@ -46,7 +46,7 @@ std::optional<double> take_size(std::string& word) {
   return size;
 }
 
-/// The names that can match something, in the order in which a refusal lists them.
+/// Returns the names that can match something, in the order in which a refusal lists them.
 std::vector<std::string> known_engines(std::span<const EngineEntry> engines,
                                        const std::vector<std::string>& recorded_engines) {
   std::vector<std::string> known = {compare::kRecorded};

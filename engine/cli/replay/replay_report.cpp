@@ -21,7 +21,7 @@ std::string engine_of(const Testimony& testimony) {
   return testimony.is_recorded ? name + " (recorded)" : name;
 }
 
-/// A class for what is wrong, and a word for what is no longer as it was.
+/// Returns the class of a wrong answer, and a word for one that is no longer as it was.
 std::string reason_of(const Testimony& testimony) {
   std::string reason;
   if (testimony.is_wrong()) reason = name_of(testimony.judgement.error_class);
@@ -29,7 +29,7 @@ std::string reason_of(const Testimony& testimony) {
   return reason;
 }
 
-/// The engines that gave no answer: they have no such query, or refuse such shapes.
+/// Returns the engines that gave no answer: they have no such query, or refuse such shapes.
 std::vector<std::string> silent_ones(std::span<const std::string> engines,
                                      const std::vector<Testimony>& testimonies) {
   std::vector<std::string> silent;
@@ -42,7 +42,7 @@ std::vector<std::string> silent_ones(std::span<const std::string> engines,
   return silent;
 }
 
-/// Distances with all digits: two that differ in the last one are two answers.
+/// Returns distances with all digits: two that differ in the last one are two answers.
 std::string in_full(const CaseAnswer& answer) {
   return answer.distance ? cases::json_plain_number(*answer.distance) + " m" : brief(answer);
 }

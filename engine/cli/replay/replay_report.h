@@ -14,7 +14,7 @@ namespace graze::cli {
 /// Prints who said what to each case: a table for people, or one JSON object a case.
 class ReplayReport {
  public:
-  /// `fail_on` must outlive this.
+  /// Keeps `fail_on`, which must outlive it.
   ReplayReport(Output& output, const FailOn& fail_on, bool is_json);
 
   void begin(std::span<const compare::EngineEntry> engines);
@@ -22,20 +22,20 @@ class ReplayReport {
            const std::vector<compare::Testimony>& testimonies);
   void end();
 
-  /// graze is wrong today, by the referee.
+  /// True if graze is wrong today, by the referee.
   bool is_graze_wrong() const { return graze_wrong_ > 0; }
-  /// An answer of graze is another than the recorded one of graze or the referee.
+  /// True if an answer of graze is another than the recorded one of graze or the referee.
   bool has_changed() const { return changed_ > 0; }
-  /// And no referee says which of the two is right.
+  /// True if no referee says which of two such answers is right.
   bool has_changed_unjudged() const { return changed_unjudged_ > 0; }
-  /// Wrong answers that `fail_on` names.
+  /// Returns how many wrong answers `fail_on` names.
   std::size_t failures() const { return failures_; }
 
  private:
   Output& output_;
   const FailOn& fail_on_;
   bool is_json_;
-  std::vector<std::string> engines_;  ///< that are here
+  std::vector<std::string> engines_;  ///< the names of engines that are here
   Table table_;
   std::size_t cases_ = 0;
   std::size_t graze_wrong_ = 0;
@@ -44,7 +44,8 @@ class ReplayReport {
   std::size_t failures_ = 0;
 };
 
-/// A JSON object: {"engine":...,"verdict":...}; "fails" where `fail_on` names the answer.
+/// Returns a JSON object: {"engine":...,"verdict":...}; "fails" stands in it where `fail_on` names
+/// the answer.
 std::string to_json(const compare::Testimony& testimony, const FailOn& fail_on);
 
 }  // namespace graze::cli

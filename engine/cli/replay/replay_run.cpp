@@ -63,7 +63,7 @@ ExitCode run_replay(const ReplayOptions& options, std::span<const compare::Engin
     std::vector<compare::Testimony> testimonies;
     try {
       testimonies = compare::try_case(cases[i].query, shared.engines());
-    } catch (const Error& error) {  // graze refuses the question
+    } catch (const Error& error) {  // then graze refuses the question
       name_refused(file + ": " + error.what());
       is_all_read = false;
       continue;

@@ -20,7 +20,7 @@ using compare::ClassicVariant;
 using compare::MeshCase;
 using compare::Verdict;
 
-/// The judge's, or else the first that touch, or the nearest.
+/// Returns the judge's pair, or else the first pair that touches, or the nearest.
 TrianglePair pair_of(const MeshCase& meshes, const std::optional<TrianglePair>& culprit) {
   const PlacedMeshView a{meshes.a.mesh, meshes.a.pose};
   const PlacedMeshView b{meshes.b.mesh, meshes.b.pose};
@@ -31,7 +31,7 @@ TrianglePair pair_of(const MeshCase& meshes, const std::optional<TrianglePair>& 
   return hits.empty() ? distance(a, b).pair : hits[0];
 }
 
-/// A number other than that of a touch is no matter of signs.
+/// True if signs decide the answer: a number other than that of a touch is not decided by signs.
 bool is_about_signs(const Case& query) {
   const CaseAnswer& answer = *query.answer;
   return answer.says || answer.pairs || (answer.distance && *answer.distance <= 0);
@@ -55,7 +55,7 @@ std::vector<ClassicVariant> variants_in(const std::vector<ClassicVariant>& varia
   return some;
 }
 
-/// Whether an answer is gone through by tests of two triangles.
+/// True if an answer is gone through by tests of two triangles.
 bool has_textbook_tests(const Case& query) {
   const bool is_asked =
       query.ask == Ask::Any || query.ask == Ask::Pairs || query.ask == Ask::Distance;
@@ -95,7 +95,7 @@ void explain_wrong(const Case& query, CaseExplanation& e) {
     e.why = *in_float;
   } else {
     e.why = no_blame(e);
-    // So near to a touch float is wrong every other time, whoever was wrong here.
+    // This near to a touch float is wrong every other time, whoever was wrong here.
     if (in_float) e.why += " Or, if the engine computes in float: " + *in_float;
   }
 }
@@ -104,7 +104,7 @@ const char* yes(bool says) {
   return says ? "yes" : "no";
 }
 
-/// What overflows is no number of JSON's.
+/// Returns a number as JSON has it: there is none for one that overflows.
 std::string number_json(double value) {
   return std::isfinite(value) ? cases::json_plain_number(value) : "null";
 }

@@ -11,22 +11,23 @@
 
 namespace graze::cli {
 
-/// Why somebody's answer to a case is wrong, as far as textbook tests of two triangles show it, or
-/// what proves the truth.
+/// Says why somebody's answer to a case is wrong, as far as textbook tests of two triangles show
+/// it, or what proves the truth.
 struct CaseExplanation {
   std::string question;
-  std::string engine;  ///< with its version
+  std::string engine;  ///< the engine with its version
   std::string says;
   compare::Judgement judgement;
-  std::optional<TrianglePair> pair = {};  ///< that shows it best; none: no two triangles do
+  std::optional<TrianglePair> pair = {};  ///< the pair that shows it best; none if no two triangles
+                                          ///< do
   std::vector<compare::ClassicVariant> variants = {};
-  /// What proves the truth, of shapes, motions, rays and points, whatever the verdict; none of
-  /// others.
+  /// Holds what proves the truth about shapes, motions, rays and points, whatever the verdict; none
+  /// for other cases.
   std::optional<Reasons> reasons = {};
-  std::string why;  ///< in words
+  std::string why;  ///< the reason in words
 };
 
-/// The case must have an answer.
+/// Explains a case, which must have an answer.
 CaseExplanation explain_case(const Case& query);
 
 std::string to_text(const CaseExplanation& explanation);

@@ -1,5 +1,5 @@
-// Written by hand, as pair_json.cpp is: numbers only, and the order of the keys is promised. They
-// are printed with as many digits as it takes to read the same double again.
+// The JSON is written by hand, as in pair_json.cpp: it has numbers only, and the order of the keys
+// is promised. They are printed with as many digits as it takes to read the same double again.
 
 #include <graze/engine/cli/reports/contacts_report.h>
 #include <graze/engine/cli/reports/table.h>

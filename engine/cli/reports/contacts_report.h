@@ -9,21 +9,21 @@
 
 namespace graze::cli {
 
-/// What `graze contacts` found.
+/// Holds what `graze contacts` found.
 struct ContactsAnswer {
   MeshContacts contacts;
-  std::optional<Separation> separation;  ///< if it was asked for
-  bool is_listing = false;               ///< print the corners of each contact
+  std::optional<Separation> separation;  ///< the separation, if it was asked for
+  bool is_listing = false;               ///< true to print the corners of each contact
   Work work;
 };
 
-/// One JSON object on one line.
+/// Returns one JSON object on one line.
 std::string to_json(const ContactsAnswer& answer);
 
-/// A table for people.
+/// Returns a table for people.
 std::string to_text(const ContactsAnswer& answer);
 
-/// A point or a vector as a JSON list of three numbers.
+/// Returns a point or a vector as a JSON list of three numbers.
 std::string vector_json(const Eigen::Vector3d& v);
 
 }  // namespace graze::cli

@@ -31,7 +31,7 @@ const char* name_of(Decider decider) {
   return "";
 }
 
-/// The last stage that had to be asked.
+/// Returns the last stage that had to be asked.
 Decider decider_of(const Work& work) {
   if (work.exact_tests > 0) return Decider::Exact;
   if (work.triangle_tests > 0) return Decider::Triangles;
@@ -130,7 +130,7 @@ Explanation explain(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b) 
   result.point_b = nearest.point_b;
   result.gap = nearest.distance;
   if (!result.intersects) {
-    // Scaled first, so that a gap near the smallest double still has a direction.
+    // It is scaled first, so that a gap near the smallest double still has a direction.
     const Eigen::Vector3d offset = nearest.point_b - nearest.point_a;
     const double largest = offset.cwiseAbs().maxCoeff();
     result.axis = largest > 0 ? Eigen::Vector3d((offset / largest).normalized())
@@ -147,7 +147,7 @@ Explanation explain(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b) 
   result.all_pairs = static_cast<double>(mesh_a.mesh.triangles().size()) *
                      static_cast<double>(mesh_b.mesh.triangles().size());
   for (const PairVolume volume : kPairVolumes) {
-    intersects(mesh_a, mesh_b, {.volume = volume});  // fits what it needs
+    intersects(mesh_a, mesh_b, {.volume = volume});  // this fits the volumes that it needs
     Work work;
     intersects(mesh_a, mesh_b, {.volume = volume}, &work);
     result.volumes.push_back({volume, work});

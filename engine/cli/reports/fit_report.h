@@ -10,11 +10,11 @@
 
 namespace graze::cli {
 
-/// How well volumes fit a mesh, for JSON.
+/// Returns how well volumes fit a mesh, for JSON.
 nlohmann::ordered_json fit_object(const MeshFit& fit);
 
-/// The same as lines for people, each a name and what stands beside it; without a fit one line that
-/// says why.
+/// Returns the same as lines for people, each a name and what stands beside it; without a fit it is
+/// one line that says why.
 std::vector<std::pair<std::string, std::string>> fit_lines(const std::optional<MeshFit>& fit);
 
 }  // namespace graze::cli

@@ -13,7 +13,7 @@ using Json = nlohmann::ordered_json;
 constexpr std::size_t kMostListed = 1000;
 constexpr std::size_t kMostTold = 3;
 
-/// A fault as the members of an object, as words, and its triangle.
+/// Holds a fault as the members of an object, as words, and its triangle.
 struct FaultText {
   Json members;
   std::string words;

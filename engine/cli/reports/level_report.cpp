@@ -12,7 +12,7 @@ namespace graze::cli {
 namespace {
 
 std::optional<double> ratio(double volume, double of_boxes) {
-  const double quotient = volume / of_boxes;  // of flat boxes, or of huge ones, no number
+  const double quotient = volume / of_boxes;  // not a number for flat boxes, or for huge ones
   return std::isfinite(quotient) ? std::optional(quotient) : std::nullopt;
 }
 

@@ -9,9 +9,9 @@
 
 namespace graze::cli {
 
-/// How well volumes fit the nodes at one distance from the root of a tree. What lies below a node
-/// is a patch of surface, open, so that volumes are relative to those of the boxes; nothing where
-/// all boxes are flat or their volume overflows.
+/// Says how well volumes fit the nodes at one distance from the root of a tree. Below a node lies
+/// an open patch of surface, so that volumes are relative to those of the boxes; there is none
+/// where all boxes are flat or their volume overflows.
 struct LevelFit {
   std::size_t nodes;
   double aabb_volume;  ///< m^3, the sum over the nodes
@@ -20,12 +20,12 @@ struct LevelFit {
   std::optional<double> kdop;
 };
 
-/// From the root down.
+/// Returns the fits from the root down.
 std::vector<LevelFit> fit_by_level(const Mesh& mesh);
 
 nlohmann::ordered_json levels_array(const std::vector<LevelFit>& levels);
 
-/// A table for people.
+/// Returns a table for people.
 std::string levels_text(const std::vector<LevelFit>& levels);
 
 }  // namespace graze::cli

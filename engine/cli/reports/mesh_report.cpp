@@ -53,19 +53,20 @@ void append(std::string& text, const bvh::TreeStatistics& tree) {
 std::optional<MeshFit> fit_of(const Mesh& mesh) {
   try {
     return measure_fit(mesh);
-  } catch (const InputError&) {  // finite as all meshes are, it can only be too large
+  } catch (const InputError&) {  // all meshes are finite, so that it can only be too large
     return std::nullopt;
   }
 }
 
-/// Only a mesh that has faults is worth to be read once more. Nothing if the file has changed.
+/// Reads where triangles stand, as only a mesh that has faults is worth reading once more. Returns
+/// nothing if the file has changed.
 std::vector<mesh_io::Place> places_in(const std::string& file, const Mesh& mesh) {
   std::vector<mesh_io::Place> places = mesh_io::find_triangle_places(file);
   if (places.size() != mesh.triangles().size()) places.clear();
   return places;
 }
 
-/// How far the steps of a report have come.
+/// Tells how far the steps of a report have come.
 class Steps {
  public:
   explicit Steps(const MeshReportSettings& settings)
@@ -73,7 +74,7 @@ class Steps {
     update(0);
   }
 
-  /// A share of the step that is being done, from 0 to 1.
+  /// Tells the share of the step that is being done, from 0 to 1.
   void update(double share) const {
     settings_.on_progress(static_cast<std::size_t>(100 * (done_ + share) / count_));
   }
@@ -149,7 +150,7 @@ std::string to_json(const MeshReport& report) {
   json["tree"] = to_object(report.tree);
   if (report.health) json["health"] = health_object(*report.health, report.places);
   if (report.self_intersections) json["self_intersections"] = *report.self_intersections;
-  // File names need not be UTF-8, JSON must be.
+  // File names need not be UTF-8, but JSON must be.
   return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 

@@ -30,14 +30,14 @@ double gap_along(const Eigen::Vector3d& axis, const PlacedBox& a, const PlacedBo
          b.projected_radius(axis);
 }
 
-/// The fifteen directions in which two boxes can be apart (bvh/value/separating_axes.h). They are
-/// computed in the world's frame and as unit vectors, because people read the direction and the
+/// Tries the fifteen directions in which two boxes can be apart (bvh/value/separating_axes.h). They
+/// are computed in the world's frame and as unit vectors, because people read the direction and the
 /// metres; no answer comes from here.
 BoxAxis widest_axis(const PlacedBox& a, const PlacedBox& b) {
   BoxAxis best{"", Eigen::Vector3d::UnitX(), -std::numeric_limits<double>::infinity()};
   const auto offer = [&](const std::string& name, const Eigen::Vector3d& direction) {
     const double length = direction.norm();
-    if (length < 1e-6) return;  // parallel edges name no axis of their own
+    if (length < 1e-6) return;  // parallel edges have no axis of their own
     const Eigen::Vector3d unit = direction / length;
     const double gap = gap_along(unit, a, b);
     if (gap > best.gap) best = {name, unit, gap};
@@ -56,7 +56,7 @@ BoxAxis widest_axis(const PlacedBox& a, const PlacedBox& b) {
   return best;
 }
 
-/// The path from the root of a mesh's tree down to the leaf that holds a triangle.
+/// Follows the path from the root of a mesh's tree down to the leaf that holds a triangle.
 class DescentPath {
  public:
   DescentPath(const PlacedMeshView& placed, std::uint32_t triangle)
@@ -105,7 +105,7 @@ class DescentPath {
 
   const Pose& pose_;
   const bvh::Tree& tree_;
-  std::size_t place_ = 0;  ///< of the triangle, in the order of the leaves
+  std::size_t place_ = 0;  ///< the triangle's place in the order of the leaves
   std::size_t begin_ = 0;  ///< the node's triangles are from here to `end_` in that order
   std::size_t end_ = 0;
   std::uint32_t node_ = 0;

@@ -25,7 +25,7 @@ std::string json_of(const Manifold& manifold) {
   return "[" + out + "]";
 }
 
-/// The names of a pair of bodies, as a file or a terminal takes them.
+/// Gives the names of a pair of bodies, as a file or a terminal takes them.
 struct Names {
   const Scene& scene;
 
@@ -40,7 +40,7 @@ struct Names {
     return mesh_io::printable(scene.bodies[pair.a.index].name) + " - " +
            mesh_io::printable(scene.bodies[pair.b.index].name);
   }
-  /// The same of bodies that may have parts.
+  /// Gives the names of bodies that may have parts.
   std::string text(const BodyPair& pair, std::uint32_t part_a, std::uint32_t part_b) const {
     return text_of_part(pair.a, part_a) + " - " + text_of_part(pair.b, part_b);
   }
@@ -49,7 +49,7 @@ struct Names {
     const std::string name = mesh_io::printable(body.name);
     return body.parts.empty() ? name : fmt::format("{}, part {}", name, part);
   }
-  /// The two bodies as members of an object, with parts of those that have any.
+  /// Gives the two bodies as members of an object, with parts of those that have any.
   std::string members(const BodyPair& pair, std::uint32_t part_a, std::uint32_t part_b) const {
     std::string out = fmt::format("\"a\":{},\"b\":{}", json(pair.a), json(pair.b));
     if (!scene.bodies[pair.a.index].parts.empty()) out += fmt::format(",\"part_a\":{}", part_a);

@@ -28,7 +28,7 @@ class SimulateReport {
   std::string json_of(std::size_t step, double time, const WorldUpdate& update) const;
   std::string text_of(const BodyFirstContact& met, double time) const;
   std::string json_of(const BodyFirstContact& met, double time) const;
-  /// When they met, seconds: times of a first contact go from the last step to this one.
+  /// Returns when they met, seconds: times of a first contact go from the last step to this one.
   double time_of(const BodyFirstContact& met, double time) const {
     return last_time_ + met.contact.low * (time - last_time_);
   }
@@ -39,7 +39,7 @@ class SimulateReport {
   Table table_;
   bool has_swept_bodies_;
   std::size_t touching_ = 0;
-  double last_time_ = 0;  ///< of the step before
+  double last_time_ = 0;  ///< seconds at the step before
 };
 
 }  // namespace graze::cli

@@ -11,15 +11,15 @@ struct Column {
   std::size_t min_width = 0;
 };
 
-/// Rows with right-aligned columns, which can be written before the next row is known: a column is
-/// as wide as its title or its minimum, and a wider value shifts what follows in its row.
+/// Makes rows with right-aligned columns, which can be written before the next row is known: a
+/// column is as wide as its title or its minimum, and a wider value shifts what follows in its row.
 class Table {
  public:
   explicit Table(std::vector<Column> columns);
 
   std::string header() const;
 
-  /// One value per column.
+  /// Returns a row of one value per column.
   std::string row(const std::vector<std::string>& values) const;
 
  private:

@@ -45,7 +45,7 @@ std::string to_json(const VoxelsReport& report) {
   json["find_ms"] = report.find_time.count() * 1000;
   json["write_ms"] = report.write_time.count() * 1000;
   json["work"] = to_object(report.work);
-  // File names need not be UTF-8, JSON must be.
+  // File names need not be UTF-8, but JSON must be.
   return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 

@@ -9,7 +9,7 @@
 
 namespace graze::cli {
 
-/// What `graze voxels` says of its result.
+/// Holds what `graze voxels` says of its result.
 struct VoxelsReport {
   std::string mesh;
   std::string file;
@@ -21,10 +21,10 @@ struct VoxelsReport {
   std::chrono::duration<double> write_time{0};
 };
 
-/// One JSON object on one line.
+/// Returns one JSON object on one line.
 std::string to_json(const VoxelsReport& report);
 
-/// Aligned lines for people.
+/// Returns aligned lines for people.
 std::string to_text(const VoxelsReport& report);
 
 }  // namespace graze::cli

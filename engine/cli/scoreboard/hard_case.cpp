@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A name of a file of the folder, and nothing that leads out of it.
+/// Refuses anything but a name of a file of the folder: nothing may lead out of it.
 void check_kind(const std::string& kind) {
   const bool is_name = !kind.empty() && std::all_of(kind.begin(), kind.end(), [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-';
@@ -34,12 +34,12 @@ void check_kind(const std::string& kind) {
   }
 }
 
-/// Without what graze is granted near a touch: a truth has no tolerance.
+/// True if an answer is right without the tolerance that graze has near a touch: a truth has none.
 bool is_true(const Case& query, const CaseAnswer& answer) {
   return compare::Judge(query).judge(answer, {"referee", ""}).verdict == compare::Verdict::Right;
 }
 
-/// With meshes in the case itself, and the truth for an answer.
+/// Returns the case with its meshes in it, and the truth for an answer.
 Case with_truth(Case query) {
   for (CaseShape* shape : {&query.a, query.b ? &*query.b : nullptr}) {
     auto* mesh = shape != nullptr ? std::get_if<CaseMesh>(shape) : nullptr;
@@ -51,7 +51,7 @@ Case with_truth(Case query) {
   }
   CaseAnswer answer = answer_case(query);
   if (query.ask == Ask::Distance && !is_true(query, answer)) {
-    // The number alone: which way out of each other two are is not judged.
+    // The number alone is kept: no judge says which of two ways out it is.
     const std::optional<double> number = answer.distance;
     answer = {};
     answer.distance = number;
@@ -64,7 +64,7 @@ Case with_truth(Case query) {
   return query;
 }
 
-/// In one line, with one blank where a line ended.
+/// Returns the case in one line, with one blank where a line ended.
 std::string line_of(const Case& query) {
   std::string line;
   bool is_at_start = false;
@@ -81,7 +81,7 @@ std::string line_of(const Case& query) {
   return compare::with_plain_numbers(line);
 }
 
-/// The question alone, to tell whether two cases ask the same.
+/// Returns the question alone, to tell whether two cases ask the same.
 std::string question_of(Case query) {
   query.note.clear();
   query.origin.clear();
@@ -105,7 +105,7 @@ void check_new(const Case& query, const std::string& folder) {
   }
 }
 
-/// How many lines a file has; nothing if it is not there.
+/// Returns how many lines a file has; nothing if it is not there.
 std::optional<std::size_t> lines_in(const fs::path& path) {
   std::ifstream file(path);
   if (!file) return std::nullopt;

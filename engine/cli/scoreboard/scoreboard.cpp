@@ -37,7 +37,7 @@ std::size_t count_of(const Scores& scores, Score score) {
   return scores[static_cast<std::size_t>(score)];
 }
 
-/// "12", or with what is not passed: "9, 2 failed, 1 refused".
+/// Returns "12", or with what is not passed: "9, 2 failed, 1 refused".
 std::string cell_of(const Scores& scores) {
   std::string text = std::to_string(count_of(scores, Score::Passed));
   const auto add = [&](Score score, const char* word) {

@@ -13,31 +13,32 @@
 namespace graze::cli {
 
 struct ScoreboardOptions {
-  std::vector<std::string> files = {};            ///< of cases, or folders of them
-  std::string engines = {};                       ///< names with commas; empty: all
-  std::vector<std::string> engine_commands = {};  ///< each starts an engine of the user's own
-  std::string markdown = {};                      ///< also a table there
-  double timeout = 60;                            ///< seconds, of each question to another engine
+  std::vector<std::string> files = {};            ///< files of cases, or folders of them
+  std::string engines = {};                       ///< names with commas; empty for all
+  std::vector<std::string> engine_commands = {};  ///< commands, each of which starts an engine of
+                                                  ///< the user's own
+  std::string markdown = {};                      ///< a file that gets a table, too
+  double timeout = 60;                            ///< seconds for each question to another engine
   bool is_json = false;
   bool has_progress = false;
 };
 
-/// What became of one case before one engine.
+/// Says what became of one case before one engine.
 enum class Score {
   Passed,   ///< the referee found all of the answer right
   Failed,   ///< wrong, or no answer at all: a crash, a hang, no number
   Refused,  ///< the engine has no such query, or does not know such shapes
-  Unknown,  ///< not judged wholly, or not wrong when it was asked again alone
+  Unknown,  ///< the answer was not judged wholly, or was not wrong when it was asked again alone
 };
 
-/// How an engine did in one class of cases.
+/// Counts how an engine did in one class of cases.
 using Scores = std::array<std::size_t, 4>;
 
-/// Who passes what: engines, and classes of cases, which are the names of files of many cases, and
-/// else those of folders.
+/// Says who passes what: engines, and classes of cases, which are the names of files of many cases,
+/// and else those of folders.
 class Scoreboard {
  public:
-  /// The versions of the engines are asked for.
+  /// Asks the engines for their versions.
   explicit Scoreboard(std::span<const compare::EngineEntry> engines);
 
   void add(const std::string& kind, const std::vector<compare::Testimony>& testimonies);
@@ -46,7 +47,7 @@ class Scoreboard {
   bool is_graze_wrong() const;
 
   std::string text() const;
-  /// One object on one line.
+  /// Returns one object on one line.
   std::string json() const;
   std::string markdown() const;
 

@@ -18,14 +18,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// One of the two things of a case, as it is drawn.
+/// Holds one of the two things of a case, as it is drawn.
 struct Thing {
-  std::optional<ViewBody> body = {};       ///< none: a point or a ray
-  std::optional<Mesh> mesh = {};           ///< that is drawn, or else
-  std::optional<Shape> shape = {};         ///< this
-  std::optional<RigidMotion> motion = {};  ///< of what can move
-  Pose pose = Pose::Identity();            ///< at the beginning
-  bool is_queried = false;  ///< a mesh or a body: the library is asked about the shape
+  std::optional<ViewBody> body = {};       ///< none for a point or a ray
+  std::optional<Mesh> mesh = {};           ///< the mesh that is drawn, or else
+  std::optional<Shape> shape = {};         ///< the shape that is drawn
+  std::optional<RigidMotion> motion = {};  ///< the motion of what can move
+  Pose pose = Pose::Identity();            ///< its pose at the beginning
+  bool is_queried = false;  ///< true for a mesh or a body: the library is asked about the shape
 };
 
 Pose moved_to(const Eigen::Vector3d& place) {
@@ -63,7 +63,7 @@ struct ToThing {
   Thing operator()(const CasePoint&) const { return {}; }
   Thing operator()(const Ray&) const { return {}; }
 
-  /// What is no Box, for it is flat or too large, is the mesh of its corners.
+  /// Returns a box. One that is no Box, as it is flat or too large, is the mesh of its corners.
   static Thing of_box(const Eigen::Vector3d& half, const Pose& pose) {
     if (half.minCoeff() >= kSmallestLength && half.maxCoeff() <= kLargestLength)
       return {.shape = Box{half}, .pose = pose};
@@ -91,7 +91,8 @@ struct ToThing {
   }
 };
 
-/// How long a ray is drawn, and how large the plane of a half-space is: as what stands beside it.
+/// Returns how long a ray is drawn, and how large the plane of a half-space is: as what stands
+/// beside it.
 double size_beside(const CaseShape& beside) {
   constexpr double kDefault = 1;
   const Thing thing = std::visit(ToThing{}, beside);
@@ -102,7 +103,7 @@ double size_beside(const CaseShape& beside) {
   return std::isfinite(size) && size > 0 ? size : kDefault;
 }
 
-/// What the answer says of a case that is drawn as it stands.
+/// Returns what the answer says of a case that is drawn as it stands.
 ViewState state_of(const CaseAnswer& answer) {
   const auto of = [](bool is_touching) {
     return is_touching ? ViewState::Touching : ViewState::Clear;
@@ -141,7 +142,7 @@ class CasePictures {
     ViewBodySettings settings = {.name = std::string(side) + ": " + name_of(shape)};
     if (const auto* body = std::get_if<CaseBody>(&shape))
       settings.name = std::string(side) + ": " + name_of(body->shape.kind());
-    // The same two for each case.
+    // The two colours are the same for each case.
     settings.color = *side == 'A' ? std::array<std::uint8_t, 3>{147, 180, 212}
                                   : std::array<std::uint8_t, 3>{230, 197, 131};
     if (beside != nullptr) settings.half_space_extent = 2 * size_beside(*beside);
@@ -174,7 +175,7 @@ class CasePictures {
     }
   }
 
-  /// As it stands, with what the answer says.
+  /// Shows a case as it stands, with what the answer says.
   void show_answer(const Case& query, const Thing& a, const Thing& b, const PictureWords& words) {
     const CaseAnswer answer = answer_case(query);
     ViewFrame frame = {.label = words.label,

@@ -7,10 +7,10 @@
 
 namespace graze::cli {
 
-/// Pictures along a motion, its two ends included.
+/// The number of pictures along a motion, its two ends included.
 inline constexpr std::size_t kMotionPictures = 49;
 
-/// Whether something moves in a case.
+/// True if something moves in a case.
 bool has_course(const Case& query);
 
 /// Adds a picture of a case to a page, or kMotionPictures of one that moves. Throws what its

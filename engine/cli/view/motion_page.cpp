@@ -13,17 +13,17 @@
 namespace graze::cli {
 namespace {
 
-/// More than that nobody looks at, and a page of bolts takes some minutes.
+/// Nobody looks at more pictures, and a page of bolts takes some minutes.
 constexpr std::size_t kMostPictures = 2000;
 constexpr std::size_t kLeastTimes = 2;
 
-/// A time of a motion that is shown, and what it is besides.
+/// Holds a time of a motion that is shown, and what it is besides.
 struct ShownTime {
   double t;
-  std::string what;  ///< behind the time; may be empty
+  std::string what;  ///< stands behind the time; may be empty
 };
 
-/// Even times, and those that the answer names.
+/// Returns even times, and those that the answer names.
 std::vector<ShownTime> times_of(std::size_t count, const RigidContact& contact) {
   std::vector<ShownTime> times;
   for (std::size_t i = 0; i < count; ++i)

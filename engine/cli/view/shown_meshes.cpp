@@ -20,7 +20,7 @@ Pose pose_of(const std::string& text, const char* option) {
   return text.empty() ? Pose::Identity() : parse_pose(text, option);
 }
 
-/// Of B, with line 0 for one that comes from the command line.
+/// Returns the poses of B, with line 0 for one that comes from the command line.
 std::vector<PoseLine> poses_of(const ViewOptions& options) {
   if (options.poses) return load_pose_lines(*options.poses);
   return {{pose_of(options.pose_b, "--pose-b"), 0}};
@@ -35,7 +35,7 @@ void check_poses(const ViewOptions& options, const std::vector<PoseLine>& poses,
   }
 }
 
-/// A body, with the boxes of its tree if these are asked for.
+/// Adds a body, with the boxes of its tree if these are asked for.
 ViewBody add(const Mesh& mesh, const std::string& name, const ViewOptions& options, View& view) {
   const ViewBody body = view.add(mesh, {.name = name});
   if (!options.tree) return body;

@@ -59,7 +59,8 @@ void mark(const TrianglePairs& pairs, const ShownBodies& bodies, View& view) {
   view.mark_triangles(bodies.b, of_b);
 }
 
-/// A square across the middle of the shortest way between two bodies, as large as the smaller one.
+/// Adds a square across the middle of the shortest way between two bodies, as large as the smaller
+/// one.
 void add_plane_between(const Eigen::Vector3d& point_a, const Eigen::Vector3d& point_b,
                        const Aabb& box_a, const Aabb& box_b, View& view) {
   const auto radius = [](const Aabb& box) { return (box.max / 2 - box.min / 2).stableNorm(); };
@@ -69,7 +70,7 @@ void add_plane_between(const Eigen::Vector3d& point_a, const Eigen::Vector3d& po
     view.add_plane({middle, normal, extent});
 }
 
-/// The least of all vertices along a direction from a point.
+/// Returns the least of all vertices along a direction from a point.
 double least_along(const PlacedMeshView& mesh, const Eigen::Vector3d& from,
                    const Eigen::Vector3d& direction) {
   double least = std::numeric_limits<double>::infinity();
@@ -78,7 +79,7 @@ double least_along(const PlacedMeshView& mesh, const Eigen::Vector3d& from,
   return least;
 }
 
-/// The plane across the gap, if it keeps all of the two meshes apart: others wind around each
+/// Adds the plane across the gap, if it keeps all of the two meshes apart: others wind around each
 /// other.
 void add_plane_between(const PlacedMeshView& a, const PlacedMeshView& b, const MeshDistance& gap,
                        View& view) {

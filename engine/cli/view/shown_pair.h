@@ -10,36 +10,36 @@
 
 namespace graze::cli {
 
-/// A page as it grows.
+/// Holds a page as it grows.
 struct ShownPage {
   explicit ShownPage(ViewSettings settings) : view(std::move(settings)) {}
 
   View view;
   std::size_t frames = 0;
   std::size_t touching = 0;
-  bool is_all_read = true;  ///< no input was left out
+  bool is_all_read = true;  ///< true if no input was left out
 };
 
-/// What a picture says of itself.
+/// Holds what a picture says of itself.
 struct PictureWords {
   std::string label = {};
   std::string note = {};
-  bool is_apart = false;  ///< see ViewFrame
+  bool is_apart = false;  ///< as in ViewFrame
 };
 
-/// Bodies of the page, as they are placed.
+/// Holds bodies of the page, as they are placed.
 struct ShownBodies {
   ViewBody a;
   ViewBody b;
 };
 
-/// A picture of two meshes, and how they meet: intersecting triangles, curves, contacts; or the
-/// nearest points. Throws what these queries throw.
+/// Adds a picture of two meshes, and how they meet: intersecting triangles, curves, contacts; or
+/// the nearest points. Throws what these queries throw.
 void show_pair(const PlacedMeshView& a, const PlacedMeshView& b, const ShownBodies& bodies,
                const PictureWords& words, ShownPage& page);
 
-/// The same of two shapes, without triangles and curves. Where no query knows such a pair the
-/// picture says so.
+/// Adds such a picture of two shapes, without triangles and curves. Where no query knows such a
+/// pair the picture says so.
 void show_pair(const PlacedShapeView& a, const PlacedShapeView& b, const ShownBodies& bodies,
                const PictureWords& words, ShownPage& page);
 

@@ -16,14 +16,14 @@
 namespace graze::cli {
 namespace {
 
-/// A piece of a body on the page.
+/// Holds a piece of a body on the page.
 struct ShownPiece {
   ViewBody body;
   Pose pose;
-  std::optional<std::uint32_t> part;  ///< of a compound
+  std::optional<std::uint32_t> part;  ///< the part of a compound
 };
 
-/// The page, and what of the recording is on it.
+/// Holds the page, and what of the recording is on it.
 class RecordingPage {
  public:
   RecordingPage(RecordingReplay& replay, const ViewOptions& options, ShownPage& page)
@@ -57,8 +57,8 @@ class RecordingPage {
     note_contacts();
   }
 
-  /// What moved has contacts anew, and keeps them until it moves again: to ask for those of all in
-  /// each update would cost what lies still, too.
+  /// Takes contacts of bodies that moved, which keep them until they move again: to ask for those
+  /// of all bodies in each update would cost what lies still, too.
   void note_contacts() {
     if (!are_contacts_known_) return take_all_contacts();
     const WorldUpdate& update = replay_.update();
@@ -78,7 +78,8 @@ class RecordingPage {
     are_contacts_known_ = replay_.reader().head().world.contacts;
   }
 
-  /// Never left out is where something begins or ends, or where this graze says otherwise.
+  /// True for a step that is shown: one where something begins or ends, or where this graze says
+  /// otherwise, is never left out.
   bool is_shown(const RecordedStep& step) const {
     return step.number % options_.every == 0 || !step.answers.begun.empty() ||
            !step.answers.ended.empty() || replay_.difference();
@@ -106,7 +107,7 @@ class RecordingPage {
           fmt::format("t = {:.6g} s, {}",
                       static_cast<double>(step.number) * head.seconds_per_update, frame.label);
     }
-    // At the first update nothing was before.
+    // Before the first update there was nothing.
     frame.is_change =
         step.number > 0 && (!step.answers.begun.empty() || !step.answers.ended.empty());
     if (frame.is_change)
@@ -130,7 +131,7 @@ class RecordingPage {
       for (const ShownPiece& piece : pieces({id, shape}))
         page_.view.place(piece.body, placed_part(pose, piece.pose));
     }
-    std::set<BodyPair> without = touching_;  // contacts
+    std::set<BodyPair> without = touching_;  // pairs without contacts
     for (const auto& [pair, manifold] : contacts_) {
       for (const ShapeContact& point : manifold)
         page_.view.add_contact(point.point, point.normal, std::max(0.0, point.depth));
@@ -143,7 +144,8 @@ class RecordingPage {
       add_pair(pair, 0, 0);
   }
 
-  /// The piece of a body that is this part of it, else its first; none where there is nothing.
+  /// Returns the piece of a body that is this part of it, else its first; none where there is
+  /// nothing.
   std::optional<ViewBody> piece_of(BodyId id, std::uint32_t part) {
     const auto shape = bodies_.shapes().find(id);
     if (shape == bodies_.shapes().end()) return std::nullopt;
@@ -165,12 +167,12 @@ class RecordingPage {
   RecordedBodies bodies_;
   RecordedNames names_;
   std::set<BodyPair> touching_;
-  std::multimap<BodyPair, Manifold> contacts_;  ///< of parts several for a pair
-  bool are_contacts_known_ = false;             ///< those of before this update
+  std::multimap<BodyPair, Manifold> contacts_;  ///< a pair of bodies with parts may have several
+  bool are_contacts_known_ = false;             ///< true if those of before this update are known
   std::map<RecordedLook, std::vector<ShownPiece>> pieces_;
 };
 
-/// What reading it to its end tells.
+/// Says what reading a recording to its end tells.
 struct RecordingLength {
   std::size_t updates = 0;
   bool is_complete = false;

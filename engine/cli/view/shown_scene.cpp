@@ -17,11 +17,11 @@
 namespace graze::cli {
 namespace {
 
-/// A shape of a body on the page: all of it, or a part.
+/// Holds a shape of a body on the page: all of it, or a part.
 struct ScenePiece {
   ViewBody body;
   std::size_t of;  ///< index into Scene::bodies
-  Pose pose;       ///< in the body's frame
+  Pose pose;       ///< its pose in the body's frame
   bool is_part;
 };
 
@@ -40,13 +40,13 @@ std::vector<ScenePiece> pieces_of(const Scene& scene, View& view) {
   return pieces;
 }
 
-/// What a step is called, and what has happened in it.
+/// Says what a step is called, and what has happened in it.
 ViewFrame frame_of(const Simulation& simulation, std::size_t touching, const WorldUpdate& update) {
   ViewFrame frame = {
       .label = fmt::format("step {}, t = {:.6g} s", simulation.steps(), simulation.time()),
       .state = touching > 0 ? ViewState::Touching : ViewState::Clear,
       .facts = {{"pairs that touch", static_cast<double>(touching)}}};
-  // At step 0 nothing was before.
+  // Before step 0 there was nothing.
   frame.is_change = simulation.steps() > 0 && (!update.begun.empty() || !update.ended.empty());
   if (frame.is_change)
     frame.facts.insert(frame.facts.end(), {{"begun", static_cast<double>(update.begun.size())},
@@ -54,8 +54,8 @@ ViewFrame frame_of(const Simulation& simulation, std::size_t touching, const Wor
   return frame;
 }
 
-/// Adds what touches in a step: contacts, and pairs of bodies. Of compounds those parts are told
-/// that contacts name, of a pair without contacts the first ones.
+/// Adds what touches in a step: contacts, and pairs of bodies. It takes the parts of compounds that
+/// contacts name, and for a pair without contacts the first ones.
 class TouchingPieces {
  public:
   explicit TouchingPieces(const std::vector<ScenePiece>& pieces) {

@@ -9,14 +9,14 @@
 namespace graze::cli {
 namespace {
 
-/// More lines than that hide what they are around.
+/// More boxes than that hide what they are around.
 constexpr std::size_t kMostBoxes = 4096;
 
 Eigen::Vector3d point_of(const float (&numbers)[3]) {
   return {numbers[0], numbers[1], numbers[2]};
 }
 
-/// From the tree's units to metres.
+/// Returns a box of the tree's units in metres.
 Obb in_metres(const bvh::LocalFrame& frame, const Eigen::Vector3d& centre,
               const Eigen::Matrix3d& turn, const Eigen::Vector3d& half) {
   Obb box{Pose::Identity(), half * frame.unit()};
@@ -36,7 +36,7 @@ Obb box_of(const bvh::LocalFrame& frame, const bvh::FloatObb& box) {
   for (int k = 0; k < 3; ++k)
     axes.col(k) = point_of(box.axes[k]);
   if (axes.determinant() < 0) axes.col(2) = -axes.col(2);
-  // Floats are hardly a rotation: the nearest one, for the eye.
+  // A rotation in floats is hardly one: this takes the nearest rotation, for the eye.
   return in_metres(frame, point_of(box.centre),
                    Eigen::Quaterniond(axes).normalized().toRotationMatrix(), point_of(box.half));
 }
@@ -48,7 +48,7 @@ std::optional<std::uint32_t> add_tree(const Mesh& mesh, TreeBoxes boxes, ViewBod
   const bvh::Tree& tree = tree_of(mesh);
   std::span<const bvh::FloatObb> skin;
   if (boxes == TreeBoxes::Obb) skin = obb_skin_of(mesh);
-  std::vector<std::uint32_t> level = {0};  // the nodes of one
+  std::vector<std::uint32_t> level = {0};  // the nodes of one level
   for (std::uint32_t depth = 0; !level.empty(); ++depth) {
     if (level.size() > kMostBoxes) return depth;
     std::vector<Obb> found;

@@ -29,7 +29,7 @@ bool is_case(const std::string& file) {
   return ending == ".json" || ending == ".jsonl" || fs::is_directory(file, ignored);
 }
 
-/// Whether all are cases; none may be.
+/// True if all are cases, false if none is; a mixture is refused.
 bool are_cases(const ViewOptions& options) {
   const auto count = std::count_if(options.files.begin(), options.files.end(), is_case);
   if (count == 0) return false;
@@ -38,7 +38,7 @@ bool are_cases(const ViewOptions& options) {
   return true;
 }
 
-/// One may be; then all options must be about one.
+/// True if one is a recording; then all options must be about one.
 bool has_recording(const ViewOptions& options) {
   const bool is_any = std::any_of(options.files.begin(), options.files.end(), is_recording);
   if (!is_any) {
@@ -77,7 +77,8 @@ void check_files(const ViewOptions& options) {
   check_outputs(outputs, inputs);
 }
 
-/// By the program that opens files on this desktop. Throws UsageError, after the page was written.
+/// Opens the page by the program that opens files on this desktop. Throws UsageError, after the
+/// page was written.
 void open_page(const std::string& page) {
   std::string program = "xdg-open", file = fs::absolute(page).string();
   std::array<char*, 3> arguments = {program.data(), file.data(), nullptr};
@@ -99,7 +100,7 @@ void say(const ViewOptions& options, std::size_t pictures, std::size_t touching,
         pictures == 1 ? "picture" : "pictures", touching, static_cast<double>(bytes) / 1e6));
 }
 
-/// A recording for other programs, in place of a page.
+/// Writes a recording for other programs, in place of a page.
 ExitCode write_gltf(const ViewOptions& options, Output& output) {
   if (options.is_opened || !options.title.empty())
     throw UsageError("--open and --title are about pages, not about glTF");
@@ -109,7 +110,7 @@ ExitCode write_gltf(const ViewOptions& options, Output& output) {
   return ExitCode::Answered;
 }
 
-/// One file may be a scene; of several each must be a case.
+/// Shows the files. One file may be a scene; of several each must be a case.
 ShownPage show(const ViewOptions& options, bool has_cases) {
   if (!has_cases) return show_meshes(options);
   const bool is_one = options.files.size() == 1 && is_scene(options.files.front());

@@ -11,19 +11,19 @@
 
 namespace graze::cli {
 
-/// The arguments of `graze view` as they are given.
+/// Holds the arguments of `graze view` as they are given.
 struct ViewOptions {
   std::vector<std::string> files =
       {};  ///< one or two meshes, cases and folders of them, a scene, or a recording
   std::string pose_a = {};
   std::string pose_b = {};
-  std::optional<std::string> poses = {};  ///< given and empty is an error
-  std::optional<TreeBoxes> tree = {};     ///< of meshes: the boxes of their trees, too
-  std::string mesh_folder = {};           ///< where meshes by file lie; empty: beside each case
-  std::string page = "graze-view.html";   ///< where it is written
-  std::size_t every = 1;                  ///< of a recording one update of so many is shown
-  std::string title = {};                 ///< empty: the names of what is shown
-  bool is_opened = false;                 ///< in the browser, afterwards
+  std::optional<std::string> poses = {};  ///< empty is an error if it was given
+  std::optional<TreeBoxes> tree = {};     ///< for meshes: the boxes of their trees are drawn, too
+  std::string mesh_folder = {};  ///< the folder of meshes by file; empty for that of each case
+  std::string page = "graze-view.html";  ///< the file of the page
+  std::size_t every = 1;                 ///< one update of so many of a recording is shown
+  std::string title = {};                ///< empty for the names of what is shown
+  bool is_opened = false;                ///< true to open the page in the browser afterwards
   bool is_json = false;
   bool has_progress = false;
 };

@@ -13,7 +13,7 @@
 namespace graze::cli {
 namespace {
 
-/// As large as the larger of two triangles.
+/// Returns an extent as large as the larger of two triangles.
 double extent_of(const Triangle& a, const Triangle& b) {
   double longest = 0;
   for (const Triangle* triangle : {&a, &b}) {
@@ -25,7 +25,7 @@ double extent_of(const Triangle& a, const Triangle& b) {
   return longest;
 }
 
-/// The two triangles that decide, and what proves it.
+/// Shows the two triangles that decide, and what proves it.
 void show_deciding(const PlacedMeshView& a, const PlacedMeshView& b, const ShownBodies& bodies,
                    const Explanation& why, ShownPage& page) {
   View& view = page.view;

@@ -13,20 +13,21 @@ enum class Verdict {
   Right,
   Wrong,
   NotJudged,
-  NotConfirmed,  ///< wrong once: asked again alone, the engine said something else
+  NotConfirmed,  ///< wrong once, but the engine said something else when it was asked again alone
 };
 
-/// Why an answer is wrong, as far as exact arithmetic can tell; the later ones are worse. Which of
-/// several that fit is said: class_of_pair() has the order, the same for every question.
+/// Says why an answer is wrong, as far as exact arithmetic can tell; the later classes are worse.
+/// If several fit, class_of_pair() has the order in which they are taken, the same for every
+/// question.
 enum class ErrorClass {
   Touching,      ///< the shapes touch, or miss each other, by no more than kTouchUlps
-  PoseRounding,  ///< as small, and right if no pose had to be rounded
-  Coplanar,      ///< as small, and one plane holds both triangles that show it best, exactly
-  Degenerate,    ///< one of the two that show it best has exactly no area
-  NotLeast,      ///< a way out of each other that parts the two, but a shorter one does
-  Containment,   ///< more than kTouchUlps apart, and one closed mesh lies inside the other
-  Real,          ///< none of these: a plain error
-  EngineError,   ///< no answer to what was asked: triangles that are not there, no numbers, a throw
+  PoseRounding,  ///< an error as small, in an answer that is right if no pose had to be rounded
+  Coplanar,  ///< an error as small, where one plane holds both triangles that show it best, exactly
+  Degenerate,   ///< one of the two that show it best has exactly no area
+  NotLeast,     ///< a way out of each other that parts the two, but a shorter one does
+  Containment,  ///< more than kTouchUlps apart, and one closed mesh lies inside the other
+  Real,         ///< none of these: a plain error
+  EngineError,  ///< no answer to what was asked: triangles that are not there, no numbers, a throw
 };
 
 inline constexpr std::array kErrorClasses = {
@@ -37,28 +38,28 @@ inline constexpr std::array kErrorClasses = {
 /// twenty operations a coordinate, each off by half an ulp, and the square roots of their sums.
 inline constexpr double kTouchUlps = 64;
 
-/// What the referee says of one answer. Right only if every part of it has been judged: what is not
-/// wrong, as far as it could be judged, is NotJudged, and the truth names what was not.
+/// Holds what the referee says of one answer. It is Right only if every part of the answer has been
+/// judged. If no part is wrong and some were not judged it is NotJudged, and the truth names these.
 struct Judgement {
   Verdict verdict = Verdict::NotJudged;
   std::string truth;  ///< in words: "hit", "apart by 3.2e-17 m", "12 pairs"
-  // Of a wrong answer:
+  // The members from here to `culprit` are about a wrong answer.
   ErrorClass error_class = ErrorClass::Real;
   double error = 0;  ///< metres: the gap or depth that was overlooked, the error of a distance
-  double ulps = 0;   ///< the same, in ulp of the largest placed coordinate of the culprits
-  std::size_t wrong_pairs = 0;          ///< of a list
+  double ulps = 0;   ///< the same in ulp of the largest placed coordinate of the culprits
+  std::size_t wrong_pairs = 0;          ///< wrong pairs of a list
   std::optional<TrianglePair> culprit;  ///< the triangles that show it best
 };
 
 const char* name_of(Verdict verdict);
 const char* name_of(ErrorClass error_class);
 
-/// Why what an engine returned is no answer to the question, in words: "names triangle 99 of 12", a
-/// list that does not ascend, a number that is none, an answer to another question. Nothing if it
-/// is one, right or wrong.
+/// Says why what an engine returned is no answer to the question, in words: "names triangle 99 of
+/// 12", a list that does not ascend, a NaN, an answer to another question. Returns nothing if it is
+/// an answer, right or wrong.
 std::optional<std::string> fault_of_answer(const Case& query, const CaseAnswer& answer);
 
-/// The judgement on what is no answer: wrong, whatever is true.
+/// Returns the judgement on what is no answer: wrong, whatever is true.
 Judgement engine_error(const std::string& why);
 
 }  // namespace graze::compare

@@ -1,5 +1,5 @@
-// Bullet's other casts, engines beside "bullet", which casts by advancement as its worlds do. They
-// know convex shapes that do not turn, and motions alone.
+// Asks Bullet's other casts, engines beside "bullet", which casts by advancement as its worlds do.
+// They know convex shapes that do not turn, and motions alone.
 
 #include <graze/engine/compare/peers/adaptors.h>
 #include <graze/engine/compare/peers/bullet_casts.h>

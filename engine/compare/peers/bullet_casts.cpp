@@ -13,7 +13,7 @@
 
 namespace graze::compare {
 
-/// A convex shape, a half-space or a mesh; or none of these, which Bullet does not cast.
+/// Holds a convex shape, a half-space or a mesh; or none of these, which Bullet does not cast.
 class BulletCasts::Body {
  public:
   explicit Body(const Shape& shape) : centre_(bullet_centre(shape)), shape_(bullet_shape(shape)) {
@@ -36,7 +36,7 @@ class BulletCasts::Body {
   }
 
  private:
-  static constexpr bool kIsQuantized = true;  // as its users have it
+  static constexpr bool kIsQuantized = true;  // the same as Bullet's users have it
 
   Eigen::Vector3d centre_;
   std::unique_ptr<btCollisionShape> shape_;
@@ -49,11 +49,10 @@ namespace {
 /// Bullet goes no further in one step, radians.
 constexpr double kMostTurnedByBullet = 0.25 * SIMD_PI;
 
-/// So far from the axis an origin may lie, as a share of its distance to the centre: what rounding
-/// does.
+/// An origin may lie this far from the axis, as a share of its distance to the centre, by rounding.
 constexpr double kBesideTheAxis = 0x1p-40;
 
-/// From one pose of Bullet's to another: the origin goes straight.
+/// Holds a motion from one pose of Bullet's to another: the origin goes straight.
 struct BulletMotion {
   btTransform from;
   btTransform to;
@@ -65,7 +64,7 @@ btTransform bullet_pose(Pose pose, const Eigen::Vector3d& centre) {
   return to_bullet(pose);
 }
 
-/// None if Bullet would go another path.
+/// Returns Bullet's motion; nothing if Bullet would go another path.
 std::optional<BulletMotion> motion_of(const Pose& pose, const std::optional<RigidCourse>& course,
                                       const Eigen::Vector3d& centre) {
   const RigidMotion motion = course ? RigidMotion(pose, *course) : RigidMotion(pose);
@@ -77,7 +76,7 @@ std::optional<BulletMotion> motion_of(const Pose& pose, const std::optional<Rigi
                       motion.angle() != 0};
 }
 
-/// What a cast found: nothing, for it does not know such a pair, or the time of a contact, or none.
+/// Holds what a cast found: the time of a contact, or none.
 struct BulletFinding {
   std::optional<double> contact;
 };
@@ -107,7 +106,7 @@ std::optional<BulletFinding> cast_convex(BulletCast how, const btConvexShape& sh
   return finding_of(cast, a, b);
 }
 
-/// Bullet's mesh rests: what is cast at it goes as seen from the mesh.
+/// Casts at Bullet's mesh, which rests: the other goes as seen from the mesh.
 std::optional<BulletFinding> cast_at_mesh(const btConvexShape& shape, const BulletMotion& moving,
                                           btBvhTriangleMeshShape& mesh,
                                           const BulletMotion& of_mesh) {

@@ -8,15 +8,15 @@
 
 namespace graze::compare {
 
-/// Which of Bullet's casts.
+/// Names Bullet's casts.
 enum class BulletCast {
   Continuous,  ///< btContinuousConvexCollision, and its cast of a convex shape at a mesh
   Subsimplex,  ///< btSubsimplexConvexCast
   Gjk          ///< btGjkConvexCast
 };
 
-/// Shapes as Bullet holds them for questions about motions. What it needs is built for the first
-/// such question. One thread at a time may ask.
+/// Holds shapes as Bullet does for questions about motions. What Bullet needs is built for the
+/// first such question. One thread may ask at a time.
 class BulletCasts {
  public:
   BulletCasts(std::span<const Shape> shapes, BulletCast how);
@@ -24,10 +24,10 @@ class BulletCasts {
   BulletCasts(const BulletCasts&) = delete;
   BulletCasts& operator=(const BulletCasts&) = delete;
 
-  /// Of Ask::FirstContact and Free, without a clearance: of two convex shapes, of one and a
-  /// half-space, and of one and a mesh that does not turn. Nothing where a body turns by an eighth
-  /// of a turn or more, at which Bullet stops it, or about a point other than its origin; nor
-  /// where one turns, but by the first of the casts.
+  /// Answers Ask::FirstContact and Free, without a clearance: about two convex shapes, one and a
+  /// half-space, and one and a mesh that does not turn. Returns nothing where a body turns by an
+  /// eighth of a turn or more, at which Bullet stops it, or about a point other than its origin;
+  /// nor, but for the first of the casts, where one turns at all.
   std::optional<CaseAnswer> answer(const Question& question, const PlacedShape& a,
                                    const PlacedShape& b) const;
 

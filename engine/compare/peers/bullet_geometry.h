@@ -1,6 +1,6 @@
 #pragma once
 
-// Shapes and poses as Bullet holds them, for the adaptors of Bullet alone.
+// Holds shapes and poses as Bullet does, for the adaptors of Bullet alone.
 
 #include <graze/bvh/pose.h>
 #include <graze/engine/world/shape.h>
@@ -16,14 +16,16 @@ btTransform to_bullet(const Pose& pose);
 btVector3 to_bullet(const Eigen::Vector3d& v);
 Eigen::Vector3d from_bullet(const btVector3& v);
 
-/// Where they are is where they stay: a copy of Bullet's points into what it was copied from.
+/// Adds triangles to a mesh, which must stay where it is: a copy of it would point into the first
+/// one.
 void add_triangles(const Mesh& mesh, btTriangleMesh& triangles);
 
-/// Bullet's shape, with its axis along z and without a margin, but for balls and capsules, whose
-/// margin is their radius. Null for ellipsoids, planes of two sides, meshes and height fields.
+/// Returns Bullet's shape, with its axis along z and without a margin, but for balls and capsules,
+/// whose margin is their radius. Null for ellipsoids, planes of two sides, meshes and height
+/// fields.
 std::unique_ptr<btCollisionShape> bullet_shape(const Shape& shape);
 
-/// Where the frame of that shape is in the frame of the body: Bullet's balls are at 0.
+/// Returns where the frame of that shape is in the frame of the body: Bullet's balls are at 0.
 Eigen::Vector3d bullet_centre(const Shape& shape);
 
 }  // namespace graze::compare

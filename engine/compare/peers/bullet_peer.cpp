@@ -1,5 +1,5 @@
-// Bullet behind the page that every engine has: GImpact meshes and shapes without margin, in
-// double. Its shapes keep state while they are asked.
+// Asks Bullet through the interface that every engine has: GImpact meshes and shapes without
+// margin, in double. Its shapes keep state while they are asked.
 
 #include <graze/engine/cases/text/case_words.h>
 #include <graze/engine/compare/peers/adaptors.h>
@@ -57,10 +57,11 @@ class Collector : public btCollisionWorld::ContactResultCallback {
   }
   const btCollisionObject* first = nullptr;
   std::vector<CaseContact> contacts;
-  double nearest = std::numeric_limits<double>::infinity();  // of all points, apart or not
+  double nearest = std::numeric_limits<double>::infinity();  // the nearest of all points, apart or
+                                                             // not
 };
 
-/// Two objects at a time.
+/// Tests two objects at a time.
 class PairTest {
  public:
   PairTest() : dispatcher_(&configuration_), world_(&dispatcher_, &broadphase_, &configuration_) {
@@ -78,8 +79,8 @@ class PairTest {
     return std::move(collector.contacts);
   }
 
-  /// The distance of the nearest points that Bullet's GJK finds, however far apart; below 0 they
-  /// meet. Nothing if it finds none.
+  /// Returns the distance of the nearest points that Bullet's GJK finds, however far apart; below 0
+  /// they meet. Returns nothing if it finds none.
   std::optional<double> distance(btCollisionObject* a, btCollisionObject* b) {
     constexpr double kAnyDistance = 1e30;
     Collector collector;
@@ -122,7 +123,7 @@ class BulletPair : public LoadedPair {
   mutable PairTest test_;
 };
 
-/// Two objects of one shape, so that it can meet itself.
+/// Holds two objects of one shape, so that it can meet itself.
 class BulletShape {
  public:
   explicit BulletShape(const Shape& shape)
@@ -170,7 +171,8 @@ class BulletShapes : public LoadedShapes {
     return !test_.contacts(a.place(0, pose_a), b.place(1, pose_b)).empty();
   }
 
-  /// Of meshes GImpact knows no distance, and of first contacts two meshes are not known.
+  /// Answers other questions. GImpact knows no distance of meshes, and first contacts of two meshes
+  /// are not known.
   std::optional<CaseAnswer> answer(const Question& question, const PlacedShape& placed_a,
                                    const PlacedShape& placed_b) const override {
     if (cases::is_about_motion(question.ask)) return casts_.answer(question, placed_a, placed_b);

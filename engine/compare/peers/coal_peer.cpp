@@ -1,5 +1,5 @@
-// Coal 3 behind the page that every engine has: OBBRSS trees and shapes, in double. Its settings
-// are its defaults, but for the one that asks for time and changes no answer (slack_of).
+// Asks Coal 3 through the interface that every engine has: OBBRSS trees and shapes, in double. Its
+// settings are its defaults, but for the one that asks for time and changes no answer (slack_of).
 
 #include <graze/engine/compare/peers/adaptors.h>
 #include <graze/engine/compare/peers/shape_answers.h>
@@ -57,14 +57,14 @@ Geometry coal_mesh(const Mesh& mesh) {
   return model;
 }
 
-/// With the box that bounding_radius_of() asks for.
+/// Returns the geometry with the box that bounding_radius_of() asks for.
 Geometry measured(Geometry geometry) {
   geometry->computeLocalAABB();
   return geometry;
 }
 
-/// What Coal says, or nothing where it throws: it has no function for the two, or its search ended
-/// where it should not.
+/// Returns what Coal says, or nothing where it throws: it has no function for the two, or its
+/// search ended where it should not.
 template <typename Query>
 auto unless_it_throws(const Query& query) -> std::optional<decltype(query())> {
   try {
@@ -76,14 +76,14 @@ auto unless_it_throws(const Query& query) -> std::optional<decltype(query())> {
   }
 }
 
-/// No point of the geometry is further than this from the origin of the common frame.
+/// Returns a bound of how far points of the geometry are from the origin of the common frame.
 double bounding_radius_of(const coal::CollisionGeometry& geometry, const coal::Transform3s& pose) {
   return pose.getTranslation().norm() + geometry.aabb_center.norm() + geometry.aabb_radius;
 }
 
-/// How far apart boxes may be and still be opened. Coal's default is a millimetre whatever the size
-/// of things, which takes many times as long for the same answers; with none at all the rounding of
-/// its boxes loses pairs that touch.
+/// Returns how far apart boxes may be and still be opened. Coal's default is a millimetre whatever
+/// the size of things, which takes many times as long for the same answers; with none at all the
+/// rounding of its boxes loses pairs that touch.
 double slack_of(double radius) {
   return 0x1p-40 * radius;
 }
@@ -145,7 +145,7 @@ class CoalPair : public LoadedPair {
     return collide(*mesh_a_, to_coal(pose_a), *mesh_b_, to_coal(pose_b), most);
   }
 
-  /// Of two meshes that meet it is 0, and no depth.
+  /// Returns the distance; that of two meshes that meet is 0, and no depth.
   coal::DistanceResult distance(const Pose& pose_a, const Pose& pose_b) const {
     const coal::DistanceRequest request;
     coal::DistanceResult result;
@@ -153,7 +153,7 @@ class CoalPair : public LoadedPair {
     return result;
   }
 
-  /// Coal keeps the order of the triangles: b1 and b2 are the mesh's own indices.
+  /// Returns the pair. Coal keeps the order of the triangles: b1 and b2 are the mesh's own indices.
   template <typename Found>
   static TrianglePair pair_of(const Found& found) {
     return {static_cast<std::uint32_t>(found.b1), static_cast<std::uint32_t>(found.b2)};
@@ -169,7 +169,8 @@ class CoalPair : public LoadedPair {
     return pairs;
   }
 
-  /// Nothing if some are no numbers, as happens beyond 1e100 m: no file could keep them.
+  /// Returns contacts; nothing if some have NaN, as happens beyond 1e100 m: no file could keep
+  /// them.
   static std::optional<std::vector<CaseContact>> contacts_of(const coal::CollisionResult& result) {
     std::vector<CaseContact> contacts;
     contacts.reserve(result.numContacts());
@@ -188,7 +189,7 @@ class CoalPair : public LoadedPair {
   Geometry mesh_b_;
 };
 
-/// Triangles to and fro across the face, so that none of its corners gets many neighbours.
+/// Adds triangles to and fro across the face, so that none of its corners gets many neighbours.
 void add_strip(std::span<const std::uint32_t> loop, std::vector<coal::Triangle>& triangles) {
   std::size_t first = 0;
   std::size_t last = loop.size() - 1;
@@ -198,7 +199,7 @@ void add_strip(std::span<const std::uint32_t> loop, std::vector<coal::Triangle>&
   }
 }
 
-/// Coal's shapes, whole lengths where graze's are half.
+/// Makes Coal's shapes, with whole lengths where graze's are half.
 struct MakeGeometry {
   Geometry operator()(const Sphere& s) const { return std::make_shared<coal::Sphere>(s.radius); }
   Geometry operator()(const Box& s) const {
@@ -238,7 +239,7 @@ struct MakeGeometry {
   }
 };
 
-/// Null for what Coal refuses: a hull with a corner of 255 neighbours or more.
+/// Returns a geometry; null for what Coal refuses: a hull with a corner of 255 neighbours or more.
 Geometry geometry_of(const Shape& shape) {
   return unless_it_throws([&] { return measured(std::visit(MakeGeometry(), shape.value())); })
       .value_or(nullptr);
@@ -297,7 +298,7 @@ class CoalShapes : public LoadedShapes {
     }
   }
 
-  /// Below 0: as deep as that.
+  /// Returns the distance; below 0 they are as deep as that.
   std::optional<double> distance(const PlacedShape& a, const PlacedShape& b) const {
     const coal::DistanceRequest request;
     coal::DistanceResult result;
@@ -323,7 +324,7 @@ class CoalShapes : public LoadedShapes {
   }
 
   struct Body {
-    Geometry geometry;       // or null
+    Geometry geometry;       // the geometry, or null
     Eigen::Vector3d centre;  // Coal's shapes are at 0
   };
   std::vector<Body> shapes_;

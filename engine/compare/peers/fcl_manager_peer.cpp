@@ -1,5 +1,5 @@
-// FCL's broad phases, an engine each: all pairs of a scene's step are one question, for it is the
-// walk over all bodies that is on trial.
+// Asks FCL's broad phases, an engine each: all pairs of a scene's step are one question, for the
+// walk over all bodies is on trial.
 
 #include <graze/engine/compare/fcl_engine.h>
 #include <graze/engine/compare/fcl_managers.h>
@@ -47,7 +47,7 @@ class FclManagedShapes : public LoadedShapes {
   FclScene scene_;
 };
 
-/// Two meshes are a scene of two bodies.
+/// Makes two meshes a scene of two bodies.
 class FclManagedPair : public LoadedPair {
  public:
   FclManagedPair(const Mesh& mesh_a, const Mesh& mesh_b, FclManager manager)

@@ -1,4 +1,4 @@
-// FCL's other methods for a first contact, engines beside "fcl", which is asked with FCL's
+// Asks FCL's other methods for a first contact, engines beside "fcl", which is asked with FCL's
 // defaults: their answers differ, and whoever uses FCL has to choose one. They know motions alone.
 
 #include <graze/engine/compare/fcl_engine.h>
@@ -17,7 +17,7 @@ struct NamedFclMotion {
   FclMotionSettings settings;
 };
 
-/// One setting at a time.
+/// Each changes one setting.
 constexpr std::array<NamedFclMotion, 12> kNamedMotions = {{
     {"fcl-advancement", {.how = FclContinuous::Advanced}},
     {"fcl-1000", {.samples = 1000, .time_error = 1e-3}},

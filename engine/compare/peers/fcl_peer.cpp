@@ -1,4 +1,4 @@
-// FCL behind the page that every engine has. fcl_engine.h does the work.
+// Asks FCL through the interface that every engine has. fcl_engine.h does the work.
 
 #include <graze/engine/compare/fcl_engine.h>
 #include <graze/engine/compare/fcl_shapes.h>

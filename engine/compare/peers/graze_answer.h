@@ -8,8 +8,8 @@
 
 namespace graze::compare {
 
-/// What this library answers about two meshes or two shapes where they are placed; of a question
-/// about motions each goes along its course.
+/// Returns what this library answers about two meshes or two shapes where they are placed; in a
+/// question about motions each goes along its course.
 template <typename Placed>
 CaseAnswer graze_answer(const Question& question, Placed a, Placed b) {
   a.course = question.course_a;

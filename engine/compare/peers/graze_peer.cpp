@@ -1,4 +1,5 @@
-// graze behind the page that every engine has, so that it is asked and judged as the others are.
+// Asks graze through the interface that every engine has, so that it is asked and judged as the
+// others are.
 
 #include <graze/bvh/error.h>
 #include <graze/engine/cases/motion_case.h>
@@ -44,7 +45,7 @@ class GrazeShapes : public LoadedShapes {
   }
 
  private:
-  /// Of height fields as they stand, which a case holds as meshes.
+  /// Answers about height fields as they stand, which a case holds as meshes.
   std::optional<CaseAnswer> answer_about_motions(const Question& question, const PlacedShape& a,
                                                  const PlacedShape& b) const {
     const auto motion = [](const PlacedShape& placed, const std::optional<RigidCourse>& course) {

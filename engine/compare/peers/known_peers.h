@@ -2,8 +2,8 @@
 
 #include <array>
 
-// Which engines there are besides graze, and whether they were found when this was built. Private
-// to engine/compare/peers, whose CMakeLists.txt says it.
+// Lists which engines there are besides graze, and whether they were found when this was built.
+// Private to engine/compare/peers, whose CMakeLists.txt says it.
 
 #ifndef GRAZE_HAS_FCL
 #define GRAZE_HAS_FCL 0
@@ -31,8 +31,8 @@ inline constexpr std::array<KnownPeer, 5> kKnownPeers = {{{"fcl", GRAZE_HAS_FCL 
                                                           {"coal", GRAZE_HAS_COAL != 0},
                                                           {"fcl-advancement", GRAZE_HAS_FCL != 0}}};
 
-/// Those that know motions alone, with settings that hardly anybody chooses: they take part where
-/// they are named.
+/// These know motions alone, with settings that hardly anybody chooses: they take part where they
+/// are named.
 inline constexpr std::array<KnownPeer, 13> kMotionPeers = {
     {{"fcl-1000", GRAZE_HAS_FCL != 0},
      {"fcl-swapped", GRAZE_HAS_FCL != 0},
@@ -48,7 +48,7 @@ inline constexpr std::array<KnownPeer, 13> kMotionPeers = {
      {"bullet-subsimplex", GRAZE_HAS_BULLET != 0},
      {"bullet-gjk", GRAZE_HAS_BULLET != 0}}};
 
-/// Those that are asked about all pairs of a scene at once, and about nothing else unless they are
+/// These are asked about all pairs of a scene at once, and about nothing else unless they are
 /// named.
 inline constexpr std::array<KnownPeer, 7> kScenePeers = {{{"fcl-tree", GRAZE_HAS_FCL != 0},
                                                           {"fcl-tree-array", GRAZE_HAS_FCL != 0},

@@ -1,6 +1,6 @@
-// ODE behind the page that every engine has: dCollide() of two trimeshes or shapes, in double. ODE
-// keeps caches in its geoms, and its trimesh colliders in globals: of one process one thread may
-// ask.
+// Asks ODE through the interface that every engine has: dCollide() of two trimeshes or shapes, in
+// double. ODE keeps caches in its geoms, and its trimesh colliders in globals: one thread of a
+// process may ask.
 
 #include <graze/engine/compare/peers/adaptors.h>
 #include <graze/engine/compare/peers/shape_answers.h>
@@ -18,9 +18,9 @@
 namespace graze::compare {
 namespace {
 
-constexpr int kMaxContacts = 0x7fff;  // what the flags of dCollide() have room for
+constexpr int kMaxContacts = 0x7fff;  // the most that the flags of dCollide() have room for
 
-/// What ODE would print of its hash tables: nothing that changes an answer.
+/// Drops what ODE would print of its hash tables, which changes no answer.
 void be_silent(int, const char*, va_list) {}
 
 void start_ode() {
@@ -68,7 +68,7 @@ class OdeMesh {
 
   dGeomID geom() const { return geom_; }
 
-  /// What ODE asks for before hulls may meet the mesh.
+  /// Measures what ODE asks for before hulls may meet the mesh.
   void measure_angles() const {
     dGeomTriMeshDataPreprocess2(data_, 1U << dTRIDATAPREPROCESS_BUILD_FACE_ANGLES, nullptr);
   }
@@ -118,7 +118,7 @@ class OdePair : public LoadedPair {
   OdeMesh mesh_b_;
 };
 
-/// A hull as ODE borrows it, around a point inside.
+/// Holds a hull as ODE borrows it, around a point inside.
 struct OdeHull {
   explicit OdeHull(const narrowphase::Hull& hull) {
     for (const narrowphase::Vec3& c : hull.corners)
@@ -141,7 +141,7 @@ struct OdeHull {
   Eigen::Vector3d middle{0, 0, 0};
 };
 
-/// A geom of one shape. ODE has no cones and no ellipsoids.
+/// Holds a geom of one shape. ODE has no cones and no ellipsoids.
 class OdeShape {
  public:
   explicit OdeShape(const Shape& shape) : kind_(shape.kind()) {
@@ -200,14 +200,14 @@ class OdeShape {
   dGeomID geom_ = nullptr;
 };
 
-/// Of boxes ODE loses contacts if it is asked for fewer than there are.
+/// Collides two geoms. ODE loses contacts of boxes if it is asked for fewer than there are.
 bool collide(dGeomID a, dGeomID b) {
   std::array<dContactGeom, 16> contacts;
   return dCollide(a, b, static_cast<int>(contacts.size()), contacts.data(), sizeof(dContactGeom)) >
          0;
 }
 
-/// Whether two shapes of these kinds ever collide: of two that it has no function for ODE says that
+/// True if two shapes of these kinds ever collide: ODE says of two that it has no function for that
 /// they are apart.
 bool are_collided(ShapeKind kind_a, ShapeKind kind_b) {
   const auto sample = [](ShapeKind kind) -> std::optional<Shape> {
@@ -237,7 +237,7 @@ bool are_collided(ShapeKind kind_a, ShapeKind kind_b) {
   const std::optional<Shape> b = sample(kind_b);
   if (!a || !b) return false;
   Pose pose = Pose::Identity();
-  pose.translation() << 0.5, 0.25, 0.75;  // half way into each other
+  pose.translation() << 0.5, 0.25, 0.75;  // so that each is half way in the other
   const OdeShape ode_a(*a);
   const OdeShape ode_b(*b);
   return collide(ode_a.place(Pose::Identity()), ode_b.place(pose));

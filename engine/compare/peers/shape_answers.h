@@ -1,6 +1,6 @@
 #pragma once
 
-// What adaptors say of two shapes, from the numbers that their engines return.
+// Makes answers of adaptors about two shapes from the numbers that their engines return.
 
 #include <cstdint>
 #include <optional>
@@ -10,14 +10,14 @@
 
 namespace graze::compare {
 
-/// Nothing of nothing.
+/// Returns the answer of a distance; nothing if there is none.
 inline std::optional<CaseAnswer> answer_of_distance(const std::optional<double>& distance) {
   std::optional<CaseAnswer> answer;
   if (distance) answer.emplace().distance = distance;
   return answer;
 }
 
-/// Of an engine that has no such question but a distance, as its users ask it.
+/// Returns the answer of an engine that has no such question but a distance, as its users ask it.
 inline std::optional<CaseAnswer> answer_of_within(const std::optional<double>& distance,
                                                   double clearance) {
   std::optional<CaseAnswer> answer;
@@ -25,8 +25,8 @@ inline std::optional<CaseAnswer> answer_of_within(const std::optional<double>& d
   return answer;
 }
 
-/// The way out that an engine's contacts show, as its users take it: B by the depth of the deepest
-/// along its normal; none of two that do not meet.
+/// Returns the way out that an engine's contacts show, as its users take it: B goes by the depth of
+/// the deepest along its normal; not at all if the two do not meet.
 inline CaseAnswer answer_of_separation(const std::vector<CaseShapeContact>& contacts) {
   CaseAnswer answer;
   answer.distance = 0;
@@ -39,7 +39,8 @@ inline CaseAnswer answer_of_separation(const std::vector<CaseShapeContact>& cont
   return answer;
 }
 
-/// Of an engine that names one time of a first contact at most, to Ask::FirstContact and Free.
+/// Returns the answer of an engine that names one time of a first contact at most, to
+/// Ask::FirstContact and Free.
 inline CaseAnswer answer_of_motion(Ask ask, const std::optional<double>& contact) {
   CaseAnswer answer;
   if (ask == Ask::Free) {
@@ -52,7 +53,7 @@ inline CaseAnswer answer_of_motion(Ask ask, const std::optional<double>& contact
   return answer;
 }
 
-/// A contact of which the engine names no features: each counts as one of its own.
+/// Adds a contact of which the engine names no features: each counts as one of its own.
 inline void add_contact(const Eigen::Vector3d& point, const Eigen::Vector3d& normal, double depth,
                         std::vector<CaseShapeContact>& contacts) {
   const auto number = static_cast<std::uint32_t>(contacts.size());

@@ -14,22 +14,22 @@
 namespace graze::compare {
 
 struct NamedCase {
-  std::string name;  ///< of its file
+  std::string name;  ///< the name of its file
   Case query;
 };
 
-/// try_case() of one of many: what graze throws names it.
+/// Runs try_case() for one of many: what graze throws names it.
 std::vector<Testimony> try_named_case(const NamedCase& named, std::span<const EngineEntry> engines);
 
-/// Cases, each of which says itself what is asked.
+/// Holds cases, each of which says itself what is asked.
 struct CaseJob {
   std::vector<NamedCase> cases;
 };
 
 /// Puts the cases of the range to all engines that are here and has every answer judged, also the
-/// recorded one, which comes first, as try_case() does. That graze says other than what graze or
-/// the referee once said is wrong of it. Of `on_records` see run_comparison(). Throws what graze
-/// throws, with the name of the case.
+/// recorded one, which comes first, as try_case() does. graze is wrong if it says other than what
+/// graze or the referee once said. For `on_records` see run_comparison(). Throws what graze throws,
+/// with the name of the case.
 void compare_cases(const CaseJob& job, std::span<const EngineEntry> engines,
                    const PlaceRange& range,
                    const std::function<bool(std::vector<PlaceRecord>)>& on_records);

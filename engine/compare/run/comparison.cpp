@@ -22,7 +22,7 @@ Question question_of(const ComparisonJob& job, std::size_t pose) {
   return question;
 }
 
-/// Null for an engine that knows no shapes.
+/// Loads the two; null for an engine that knows no shapes.
 std::unique_ptr<LoadedPair> load_pair(const Engine& engine, const ComparisonJob& job) {
   const auto* mesh_a = std::get_if<CaseMesh>(&job.a);
   const auto* mesh_b = std::get_if<CaseMesh>(&job.b);
@@ -30,7 +30,7 @@ std::unique_ptr<LoadedPair> load_pair(const Engine& engine, const ComparisonJob&
   return load_shape_pair(engine, std::get<CaseBody>(job.a).shape, std::get<CaseBody>(job.b).shape);
 }
 
-/// An engine that holds the two meshes, once for all questions and once for those that confirm; or
+/// Holds the two meshes in an engine, once for all questions and once for those that confirm; or
 /// what an engine once said.
 class LoadedEngine {
  public:
@@ -49,7 +49,7 @@ class LoadedEngine {
     if (!is_recorded()) return hear(*pair_, pose);
     return compare::hear([&] { return entry_->recorded->at(pose); }, kRecorded);
   }
-  /// What was recorded stays as it is.
+  /// Asks where nothing else was asked; what was recorded stays as it is.
   Utterance hear_alone(std::size_t pose) const {
     if (is_recorded()) return hear(pose);
     std::call_once(alone_->is_loaded, [&] {
@@ -62,7 +62,7 @@ class LoadedEngine {
  private:
   struct Alone {
     std::once_flag is_loaded;
-    std::unique_ptr<LoadedPair> pair;  // null: the engine needs none
+    std::unique_ptr<LoadedPair> pair;  // null if the engine needs none
   };
 
   Utterance hear(const LoadedPair& pair, std::size_t pose) const {
@@ -80,7 +80,7 @@ class LoadedEngine {
   std::unique_ptr<Alone> alone_ = std::make_unique<Alone>();
 };
 
-/// Every engine that is here and takes the meshes. That graze refuses them is an error.
+/// Returns every engine that is here and takes the meshes. That graze refuses them is an error.
 std::vector<LoadedEngine> load_all(const ComparisonJob& job, std::span<const EngineEntry> engines) {
   std::vector<LoadedEngine> loaded;
   for (const EngineEntry& entry : engines) {
@@ -97,7 +97,7 @@ std::vector<LoadedEngine> load_all(const ComparisonJob& job, std::span<const Eng
   return loaded;
 }
 
-/// Numbers and contacts differ as a rule.
+/// True if one contradicts the other; numbers and contacts differ as a rule.
 bool contradicts(const CaseAnswer& a, const CaseAnswer& b) {
   if (a.distance || b.distance || a.status || b.status) return true;
   const auto has_contacts = [](const CaseAnswer& each) {

@@ -14,23 +14,24 @@
 
 namespace graze::compare {
 
-/// Two meshes, or two bodies, in many poses of B, and one question.
+/// Holds two meshes, or two bodies, in many poses of B, and one question.
 struct ComparisonJob {
   CaseShape a;
-  CaseShape b;  ///< of the same kind; its pose is not used
+  CaseShape b;  ///< the same kind as A; its pose is not used
   std::shared_ptr<const PoseSource> poses_b;
-  Question question;  ///< of Ask::FirstContact and Free B goes from each of the poses to the next
+  Question question;  ///< the question; in Ask::FirstContact and Free B goes from each of the poses
+                      ///< to the next
 
-  /// How many times the question is asked.
+  /// Returns how many times the question is asked.
   std::size_t places() const;
-  /// Where B goes from a pose; of questions that are not about motions nowhere.
+  /// Returns where B goes from a pose; nothing for questions that are not about motions.
   std::optional<RigidCourse> course_b(std::size_t pose) const;
 };
 
-/// Where A stands.
+/// Returns where A stands.
 const Pose& pose_a(const ComparisonJob& job);
 
-/// The case that asks the question in one pose.
+/// Returns the case that asks the question in one pose.
 Case case_of(const ComparisonJob& job, std::size_t pose);
 
 /// Puts the question to all engines that are here, in the poses of the range, and lets the referee

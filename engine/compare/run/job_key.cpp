@@ -17,7 +17,7 @@ namespace {
 using cases::json_number;
 using files::sha256_of;
 
-/// SHA-256 of a mesh's vertices and triangles, with `before` in front.
+/// Returns the SHA-256 of a mesh's vertices and triangles, with `before` in front.
 std::string digest_of(const Mesh& mesh, const std::string& before) {
   std::string text = before;
   for (const Eigen::Vector3d& vertex : mesh.vertices())
@@ -29,7 +29,7 @@ std::string digest_of(const Mesh& mesh, const std::string& before) {
   return sha256_of(text);
 }
 
-/// The same of a body: of its text in a case.
+/// Returns the same for a body: for its text in a case.
 std::string digest_of(const CaseShape& shape, const std::string& before) {
   if (const auto* mesh = std::get_if<CaseMesh>(&shape)) return digest_of(mesh->mesh, before);
   const Case text{.note = "",

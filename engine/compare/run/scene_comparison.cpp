@@ -25,7 +25,7 @@ const char* brief_of(bool says) {
   return says ? "yes" : "no";
 }
 
-/// What the world says at a step.
+/// Holds what the world says at a step.
 struct WorldStep {
   std::size_t step = 0;
   double time = 0;  // seconds
@@ -33,7 +33,7 @@ struct WorldStep {
   std::set<ScenePair> touching;
 };
 
-/// All pairs at one step.
+/// Asks about all pairs at one step.
 class StepTrial {
  public:
   StepTrial(const Scene& scene, std::span<const SceneEngine> engines, WorldStep world)
@@ -47,7 +47,8 @@ class StepTrial {
       bodies_.push_back({body.shape, pose_at(body, world_.time)});
   }
 
-  /// What the world should not even look at is asked about too, so that it is seen.
+  /// Runs the step. Pairs at which the world should not even look are asked about, too, so that it
+  /// is seen if it does.
   StepRecord run(const std::vector<ScenePair>& meeting) {
     std::vector<ScenePair> pairs = meeting;
     std::set_difference(world_.touching.begin(), world_.touching.end(), meeting.begin(),
@@ -69,7 +70,7 @@ class StepTrial {
   }
 
  private:
-  /// What one of them said of a pair; the world has no engine.
+  /// Holds what one of them said of a pair; the world has no engine.
   struct Said {
     const SceneEngine* engine;
     Utterance utterance;
@@ -141,7 +142,7 @@ class StepTrial {
     return {scene_.shapes[bodies_[index].shape].shape, bodies_[index].pose};
   }
 
-  /// All answers, or, where none is disputed, those that are none.
+  /// Judges all answers, or, where none is disputed, those that are none.
   void judge_answers(const ScenePair& pair, std::size_t place, bool is_disputed) {
     const ShapeJudge referee(body(pair.a), body(pair.b));
     std::optional<bool> graze_says;
@@ -183,10 +184,11 @@ class StepTrial {
   WorldStep world_;
   std::vector<PlacedShape> bodies_;
   std::vector<std::pair<std::size_t, std::size_t>> asked_;
-  std::vector<ShapesAnswer> answers_;  // of each engine
-  std::vector<std::string> said_;      // a character a question, of the world and of each engine
+  std::vector<ShapesAnswer> answers_;  // what each engine says
+  std::vector<std::string> said_;      // a character for each question, for the world and for each
+                                       // engine
   StepRecord record_;
-  std::vector<Said> heard_;  // of the last pair; the world's first
+  std::vector<Said> heard_;  // about the last pair; the world's first
 };
 
 std::set<ScenePair> touching_in(const World& world) {
@@ -196,7 +198,7 @@ std::set<ScenePair> touching_in(const World& world) {
   return touching;
 }
 
-/// The world, which must see every step once and in order.
+/// Holds the world, which must see every step once and in order.
 class SteppedWorld {
  public:
   SteppedWorld(const Scene& scene, const SceneComparisonSettings& settings)

@@ -13,37 +13,38 @@
 namespace graze::compare {
 
 struct SceneComparisonSettings {
-  std::size_t steps = 0;  ///< after step 0
-  double step = 0;        ///< seconds; 0: as the scene says
-  /// Any: whether they touch at each step; or FirstContact or Free: of the motion from the step
-  /// before.
+  std::size_t steps = 0;  ///< the number of steps after step 0
+  double step = 0;        ///< seconds; 0 for the scene's own step
+  /// The question: Any asks whether they touch at each step, FirstContact and Free ask about the
+  /// motion from the step before.
   Ask ask = Ask::Any;
-  double clearance = 0;  ///< metres, of questions about motions
+  double clearance = 0;  ///< metres, for questions about motions
 };
 
-/// Of a scene's time, seconds.
+/// Holds a span of a scene's time, seconds.
 struct TimeSpan {
   double from = 0;
   double to = 0;
 };
 
-/// Steps the scene, puts every pair of bodies that a world looks at to every engine that knows
-/// such shapes, and has each difference judged (ShapeJudge). That the world and graze alone differ
-/// is wrong of the world, whoever else is right: hierarchies and memory change nothing (law 9).
-/// Of steps before the range nothing is asked; the world goes through them all the same, for what
-/// it remembers is on trial. Of `on_records` see run_comparison(). Throws what Simulation throws.
+/// Steps the scene, puts every pair of bodies that a world looks at to every engine that knows such
+/// shapes, and has each difference judged (ShapeJudge). If the world and graze alone differ the
+/// world is wrong, whoever else is right: hierarchies and memory change nothing (law 9). Nothing is
+/// asked about steps before the range; the world goes through them all the same, for what it
+/// remembers is on trial. For `on_records` see run_comparison(). Throws what Simulation throws.
 ///
-/// Asked about motions, place n is the motion from step n - 1 to step n, and place 0 none: each
-/// body goes as RigidMotion::between() its two poses does. All pairs of which one moves are asked
-/// about. Judged (Judge) is what somebody does not call free, and all of two meshes; these pairs
-/// are differences, but for those of meshes whose freedom is proved. In the world everything that
-/// the scene moves is swept, and what it lists first of a pair must be what graze says of that pair
-/// alone, bit for bit.
+/// In questions about motions place n is the motion from step n - 1 to step n, and place 0 has
+/// none: each body goes as RigidMotion::between() its two poses does. All pairs of which one moves
+/// are asked about. A pair is judged (Judge) if somebody does not call it free, or if it is of two
+/// meshes; these pairs are differences, but for meshes whose freedom is proved. In the world
+/// everything that the scene moves is swept, and what it lists first of a pair must be what graze
+/// says of that pair alone, bit for bit.
 void compare_scene(const Scene& scene, std::span<const EngineEntry> engines,
                    const SceneComparisonSettings& settings, const PlaceRange& range,
                    const std::function<bool(std::vector<StepRecord>)>& on_records);
 
-/// The question about two bodies of the scene at the end of a time, or in their motions through it.
+/// Return the question about two bodies of the scene at the end of a time, or in their motions
+/// through it.
 Case case_of(const Scene& scene, const ScenePair& pair, const SceneComparisonSettings& settings,
              const TimeSpan& span);
 

@@ -65,10 +65,10 @@ std::shared_ptr<LoadedShapes> SceneEngine::load_all_alone() const {
   return alone_->scene;
 }
 
-/// Null if the engine needs no such thing.
+/// Loads the shapes for confirming; null if the engine needs no such thing.
 std::shared_ptr<LoadedShapes> SceneEngine::load_alone(std::size_t shape_a,
                                                       std::size_t shape_b) const {
-  constexpr std::size_t kMostKept = 8;  // each is a process
+  constexpr std::size_t kMostKept = 8;  // each of them is a process
   const std::lock_guard lock(alone_->mutex);
   const auto at = alone_->pairs.find({shape_a, shape_b});
   if (at != alone_->pairs.end()) return at->second;

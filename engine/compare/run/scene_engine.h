@@ -15,11 +15,11 @@
 
 namespace graze::compare {
 
-/// Pairs of bodies, by their indices.
+/// Names pairs of bodies, by their indices.
 using IndexPairs = std::span<const std::pair<std::size_t, std::size_t>>;
 
-/// An engine that holds the shapes of a scene, and for confirming what it said a few pairs of them
-/// by themselves, or all again if it looks for pairs itself. The entry must outlive this.
+/// Is an engine that holds the shapes of a scene and, for confirming what it said, a few pairs of
+/// them by themselves, or all again if it looks for pairs itself. The entry must outlive this.
 class SceneEngine {
  public:
   SceneEngine(const EngineEntry& entry, std::span<const Shape> shapes,
@@ -29,13 +29,13 @@ class SceneEngine {
   const EngineEntry& entry() const { return *entry_; }
   const LoadedShapes& loaded() const { return *loaded_; }
 
-  /// What it says of one of the pairs where nothing else was asked before.
+  /// Returns what it says of one of the pairs where nothing else was asked before.
   Utterance hear_alone(std::span<const PlacedShape> bodies, IndexPairs pairs,
                        std::size_t place) const;
 
-  /// What it answers to any other question about two bodies, and how long that took.
+  /// Returns what it answers to any other question about two bodies, and how long that took.
   Utterance hear(const Question& question, const PlacedShape& a, const PlacedShape& b) const;
-  /// The same where nothing else was asked before.
+  /// Returns the same where nothing else was asked before.
   Utterance hear_alone(const Question& question, const PlacedShape& a, const PlacedShape& b) const;
 
  private:
@@ -57,8 +57,9 @@ class SceneEngine {
   std::unique_ptr<Alone> alone_ = std::make_unique<Alone>();
 };
 
-/// Every engine that is here, takes shapes, and may know the question. Throws UnsupportedPairError,
-/// which names the body, for one that has parts: other engines are asked about single shapes.
+/// Returns every engine that is here, takes shapes, and may know the question. Throws
+/// UnsupportedPairError, which names the body, for a body that has parts: other engines are asked
+/// about single shapes.
 std::vector<SceneEngine> load_scene(const Scene& scene, std::span<const EngineEntry> engines,
                                     Ask ask);
 

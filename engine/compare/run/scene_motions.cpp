@@ -19,7 +19,7 @@
 namespace graze::compare {
 namespace {
 
-/// What the world says of a step: whom it lists, with the contact that comes first.
+/// Holds what the world says of a step: the pairs that it lists, with the contact that comes first.
 struct SweptStep {
   std::size_t step = 0;
   double from = 0;  // seconds
@@ -28,7 +28,7 @@ struct SweptStep {
   std::map<ScenePair, RigidContact> met;
 };
 
-/// The scene with all that moves swept, whatever it says itself: each is on trial.
+/// Returns the scene with all that moves swept, whatever it says itself: each body is on trial.
 Scene swept(Scene scene) {
   for (SceneBody& body : scene.bodies) {
     if (!std::holds_alternative<std::monostate>(body.path)) body.detection = Detection::Continuous;
@@ -36,7 +36,7 @@ Scene swept(Scene scene) {
   return scene;
 }
 
-/// The world, which must see every step once and in order.
+/// Holds the world, which must see every step once and in order.
 class SweptWorld {
  public:
   SweptWorld(const Scene& scene, const SceneComparisonSettings& settings)
@@ -55,7 +55,7 @@ class SweptWorld {
           std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start)
               .count();
       said.met.clear();
-      for (const BodyFirstContact& each : update.first_contacts)  // of a pair the first
+      for (const BodyFirstContact& each : update.first_contacts)  // the first of a pair counts
         said.met.try_emplace({each.pair.a.index, each.pair.b.index}, each.contact);
     }
     said.step = simulation_.steps();
@@ -70,7 +70,7 @@ class SweptWorld {
   std::size_t next_ = 0;
 };
 
-/// Where a body is at the beginning of a step, and where it goes; none if it rests.
+/// Says where a body is at the beginning of a step, and where it goes; nowhere if it rests.
 struct MovingSceneBody {
   PlacedShape placed;
   std::optional<RigidCourse> course = {};
@@ -92,7 +92,7 @@ bool is_free(const CaseAnswer& answer) {
   return answer.says ? *answer.says : answer.status == RigidStatus::Free;
 }
 
-/// All pairs in their motions through one step.
+/// Asks about all pairs in their motions through one step.
 class MotionTrial {
  public:
   MotionTrial(const Scene& scene, std::span<const SceneEngine> engines,
@@ -111,7 +111,8 @@ class MotionTrial {
       moving_.push_back(moving_body(body, world_.from, world_.to));
   }
 
-  /// Whom the world lists though it should not look at them is asked about, too.
+  /// Runs the step. Pairs that the world lists though it should not look at them are asked about,
+  /// too.
   StepRecord run(const std::vector<ScenePair>& meeting) {
     for (const ScenePair& pair : meeting) {
       if (rests(pair)) continue;
@@ -131,7 +132,7 @@ class MotionTrial {
   }
 
  private:
-  /// What one of them said of a pair, and the verdict; the world has no engine.
+  /// Holds what one of them said of a pair, and the verdict; the world has no engine.
   struct Said {
     const SceneEngine* engine;
     Heard heard;
@@ -186,8 +187,9 @@ class MotionTrial {
     heard_.push_back({engine, {std::move(utterance), {}}});
   }
 
-  /// Of two meshes what all call free is judged, too: the certificate costs little, and "free" is
-  /// not proved by agreeing. Of other shapes the proof may be thousands of gaps.
+  /// True for two meshes. What all call free is judged for these, too: the certificate costs
+  /// little, and "free" is not proved by agreeing. For other shapes the proof may be thousands of
+  /// gaps.
   bool are_meshes(const ScenePair& pair) const {
     const auto is_mesh = [&](std::size_t body) {
       return scene_.shapes[scene_.bodies[body].shape].shape.kind() == ShapeKind::Mesh;
@@ -224,7 +226,7 @@ class MotionTrial {
     }
   }
 
-  /// What graze says of the pair alone; null if it takes no part or does not know.
+  /// Returns what graze says of the pair alone; null if it takes no part or does not know.
   const CaseAnswer* graze_answer() const {
     for (const Said& each : heard_) {
       if (each.engine != nullptr && each.engine->entry().name == "graze" && each.heard.said.answer)
@@ -265,9 +267,9 @@ class MotionTrial {
   const SceneComparisonSettings& settings_;
   SweptStep world_;
   std::vector<MovingSceneBody> moving_;
-  std::vector<std::string> said_;  // digests, of the world and of each engine
+  std::vector<std::string> said_;  // digests for the world and for each engine
   StepRecord record_;
-  std::vector<Said> heard_;  // of the last pair; the world's first
+  std::vector<Said> heard_;  // about the last pair; the world's first
 };
 
 CaseShape case_shape(const Scene& scene, const MovingSceneBody& moved, bool are_meshes) {

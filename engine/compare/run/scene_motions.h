@@ -8,7 +8,7 @@
 
 namespace graze::compare {
 
-/// compare_scene() of questions about motions.
+/// Does what compare_scene() does for questions about motions.
 void compare_scene_motions(const Scene& scene, std::span<const EngineEntry> engines,
                            const SceneComparisonSettings& settings, const PlaceRange& range,
                            const std::function<bool(std::vector<StepRecord>)>& on_records);

@@ -7,7 +7,7 @@
 namespace graze::compare {
 namespace {
 
-/// graze itself knows every question.
+/// Holds two shapes for graze itself, which knows every question.
 class GrazeShapePair : public LoadedPair {
  public:
   GrazeShapePair(const Shape& shape_a, const Shape& shape_b) : a_(shape_a), b_(shape_b) {}

@@ -6,9 +6,9 @@
 
 namespace graze::compare {
 
-/// Two shapes of bodies as two meshes are held, so that many poses are asked about one after the
-/// other. Engines other than graze are asked what their adaptors know; null for one that knows no
-/// shapes.
+/// Loads two shapes of bodies as two meshes are loaded, so that many poses are asked about one
+/// after the other. Engines other than graze are asked what their adaptors know; returns null for
+/// one that knows no shapes.
 std::unique_ptr<LoadedPair> load_shape_pair(const Engine& engine, const Shape& shape_a,
                                             const Shape& shape_b);
 

@@ -10,7 +10,7 @@ namespace {
 // Each pair that is kept keeps a process for each thread that has asked about it.
 constexpr std::size_t kMostKept = 4;
 
-/// One of those who have loaded a pair together.
+/// Is the share of one of those who have loaded a pair together.
 class Share : public LoadedPair {
  public:
   explicit Share(std::shared_ptr<const LoadedPair> pair) : pair_(std::move(pair)) {}
@@ -64,7 +64,7 @@ class SharingEngine : public Engine {
 
   const Engine& engine_;
   mutable std::mutex mutex_;
-  mutable std::vector<Kept> kept_;  ///< the last one that was asked for first
+  mutable std::vector<Kept> kept_;  ///< begins with the one that was asked for last
 };
 
 }  // namespace

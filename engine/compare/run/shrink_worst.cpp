@@ -18,10 +18,10 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Most cases take next to no time: one that takes long may have a quarter of what is left.
+/// Most cases take next to no time, so one that takes long may have a quarter of what is left.
 constexpr std::size_t kMostSharers = 4;
 
-/// Beyond what a clock can count is for ever.
+/// A time beyond what a clock can count is for ever.
 constexpr double kMostSeconds = 1e8;
 
 auto rank_of(const WrongAnswer& wrong) {
@@ -30,14 +30,15 @@ auto rank_of(const WrongAnswer& wrong) {
                     wrong.place, answer.engine);
 }
 
-/// A smaller query shows the same error: of the same class, and no larger. A gap that grows while
-/// coordinates get shorter would be another error.
+/// True if a smaller query shows the same error: of the same class, and no larger. A gap that grows
+/// while coordinates get shorter would be another error.
 bool is_same_error(const Judgement& smaller, const Judgement& before) {
   return smaller.verdict == Verdict::Wrong && smaller.error_class == before.error_class &&
          !(smaller.error > before.error);
 }
 
-/// A record from a file may name triangles that the meshes do not have.
+/// Returns the triangles that show the error. A record from a file may name some that the meshes do
+/// not have.
 std::optional<TrianglePair> culprit_of(const Case& query, const AnswerRecord& answer) {
   const std::optional<TrianglePair>& culprit = answer.judgement.culprit;
   const std::optional<MeshCase> meshes = as_meshes(query);
@@ -61,7 +62,7 @@ bool is_same_query(const Case& a, const Case& b) {
   return question_of(a) == question_of(b);
 }
 
-/// One wrong answer on its way to a case, which may be looked at all the time.
+/// Shrinks one wrong answer to a case, which may be looked at all the time.
 class OneShrinking {
  public:
   OneShrinking(const WrongAnswer& wrong, std::size_t index, const Engine& engine,
@@ -107,7 +108,8 @@ class OneShrinking {
     return said.answer ? Judge(query).judge(*said.answer, best_.query.answered_by) : Judgement();
   }
 
-  /// Wrong for the same reason: rounding coordinates could make a real error one of touching.
+  /// True if a query is wrong for the same reason: rounding coordinates could make a real error one
+  /// of touching.
   bool is_still_wrong(const Case& smaller) {
     const bool is_bound = is_shown_ || is_searching_;
     if (is_bound && Clock::now() >= deadline_) {
@@ -118,7 +120,7 @@ class OneShrinking {
       const Judgement judgement = judged(smaller, engine_);
       if (!is_same_error(judgement, answer_.judgement)) return false;
       best_.judgement = judgement;
-    } catch (const Error&) {  // of graze's meshes: no such query
+    } catch (const Error&) {  // graze's meshes have no such query
       return false;
     }
     const CaseWitness witness = best_.query.answered_by;
@@ -130,15 +132,15 @@ class OneShrinking {
     return true;
   }
 
-  /// The whole query, before anything that may take long.
+  /// Keeps the whole query, before anything that may take long.
   void keep_whole() {
     is_searching_ = true;
     best_.query.answer = hear([&] { return ask(alone(), whole_); }, "").answer;
     tell();
   }
 
-  /// Hundreds of smaller queries were asked one after the other; what is left of them is asked
-  /// alone. If the engine is right there, the whole query is the case.
+  /// Confirms what is left alone, as hundreds of smaller queries were asked one after the other. If
+  /// the engine is right there, the whole query is the case.
   void confirm_alone() {
     const Judgement judgement = judged(best_.query, alone());
     if (judgement.verdict == Verdict::Wrong) {
@@ -153,7 +155,8 @@ class OneShrinking {
     look_again();
   }
 
-  /// Nothing smaller shows it: perhaps the whole does no longer either.
+  /// Asks again about the whole query, as nothing smaller shows it: perhaps the whole does no
+  /// longer either.
   void look_again() {
     best_.judgement = judged(whole_, alone());
     best_.query.answer = said_;
@@ -169,13 +172,13 @@ class OneShrinking {
 
   const AnswerRecord& answer_;
   const Engine& engine_;
-  std::unique_ptr<Engine> alone_ = engine_.alone();  ///< null: the engine is like that
+  std::unique_ptr<Engine> alone_ = engine_.alone();  ///< null if the engine is like that itself
   Clock::time_point deadline_;
   const ShrinkWorstSettings& settings_;
   Case whole_;
   ShrunkCase best_;
-  std::optional<CaseAnswer> said_;  ///< to the last question
-  bool is_shown_ = false;           ///< by something smaller, or shorter
+  std::optional<CaseAnswer> said_;  ///< the answer to the last question
+  bool is_shown_ = false;           ///< true if something smaller, or shorter, shows it
   bool is_searching_ = false;
   Clock::time_point next_told_ = {};
 };
@@ -184,7 +187,7 @@ class OneShrinking {
 
 namespace {
 
-/// What was recorded stays as it is: nobody can be asked about less.
+/// Returns a recorded answer as it is: nobody can be asked about less.
 ShrunkCase recorded_case(const WrongAnswer& wrong, std::size_t index, const EngineEntry& entry) {
   ShrunkCase whole{entry.name, index, wrong.query(), wrong.answer->judgement, false};
   const Utterance said = hear([&] { return entry.recorded->at(wrong.place); }, kRecorded);

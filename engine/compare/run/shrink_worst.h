@@ -13,7 +13,7 @@
 
 namespace graze::compare {
 
-/// A wrong answer, and how to ask again.
+/// Holds a wrong answer, and how to ask again.
 struct WrongAnswer {
   std::size_t place = 0;  ///< the pose, the step or the case
   std::string where;      ///< the same for people: "7", "3: gear, pinion"
@@ -23,44 +23,45 @@ struct WrongAnswer {
   std::string origin = {};  ///< the file that the query came from, if it came from one
 };
 
-/// Whether the first is worse: what is of graze, then by the class, then what comes before.
+/// True if the first is worse: graze's are, then the class decides, then what comes before.
 bool is_worse(const WrongAnswer& a, const WrongAnswer& b);
 
-/// A wrong answer as small as it could be made, with what the referee says of that.
+/// Holds a wrong answer as small as it could be made, with what the referee says of that.
 struct ShrunkCase {
   std::string engine;
   std::size_t wrong = 0;  ///< index into the list that it was made from
-  Case query;             ///< with the engine's wrong answer
+  Case query;             ///< the query with the engine's wrong answer
   Judgement judgement;
   bool is_smaller = true;   ///< than the query, or shorter; if not, it is the query
-  bool is_stopped = false;  ///< the time was over before it was known to be the least
+  bool is_stopped = false;  ///< true if the time was over before it was known to be the least
 };
 
 struct ShrinkWorstSettings {
-  std::size_t limit = 16;                  ///< so many cases
-  std::chrono::duration<double> time{10};  ///< for all of them; 0: they are left as they are
+  std::size_t limit = 16;                  ///< the number of cases at most
+  std::chrono::duration<double> time{10};  ///< seconds for all of them; with 0 they are left as
+                                           ///< they are
 
-  /// Called with each case as soon as there is anything to keep: its guilty pair of triangles, or
-  /// all of it before what may take long; then as it gets smaller, now and then, and at its end.
+  /// Is called with each case as soon as there is anything to keep: its guilty pair of triangles,
+  /// or all of it before what may take long; then as it gets smaller, now and then, and at its end.
   std::function<void(const ShrunkCase&)> on_case = {};
 
-  /// Called with each case at its end, after on_case.
+  /// Is called with each case at its end, after on_case.
   std::function<void(ShrunkCase)> on_done = {};
 
-  /// Called before each question with how many cases are done.
+  /// Is called before each question with how many cases are done.
   std::function<void(std::size_t done)> on_progress = {};
 };
 
-/// Of two meshes that are more than a triangle each: that each triangle is needed, in words. Some
-/// engines are wrong only about surfaces of several. Empty if the time was over before.
+/// Says in words that each triangle of two meshes is needed, if they are more than a triangle each:
+/// some engines are wrong only about surfaces of several. Empty if the time was over before.
 std::string least_size(const ShrunkCase& shrunk);
 
-/// Shrinks the worst: those of graze first, then by their class, then in the order of places. Of
-/// engines that are not in the list ("world") nothing can be asked, and no case is made; a recorded
-/// answer is kept as a case of the whole query. What cannot be shown again is left as it is. Each
-/// case may take a quarter of the time that is left, and the last ones an equal share of it. The
-/// two triangles alone are always tried, and a question that is asked is waited for, so that a case
-/// may take one question longer.
+/// Shrinks the worst: those of graze first, then by their class, then in the order of places.
+/// Engines that are not in the list ("world") cannot be asked, and no case is made for them; a
+/// recorded answer is kept as a case of the whole query. A query that does not show the error again
+/// is left as it is. Each case may take a quarter of the time that is left, and the last ones an
+/// equal share of it. The two triangles alone are always tried, and a question that is asked is
+/// waited for, so that a case may take one question longer.
 void shrink_worst(std::span<const WrongAnswer> wrong, std::span<const EngineEntry> engines,
                   const ShrinkWorstSettings& settings = {});
 

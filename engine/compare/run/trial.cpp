@@ -30,7 +30,8 @@ bool is_of_record(const CaseWitness& witness) {
   return witness.engine == "graze" || witness.engine == "referee";
 }
 
-/// An answer without the details that a record leaves out: one made by hand names no points.
+/// Returns an answer without the details that a record leaves out: one made by hand names no
+/// points.
 CaseAnswer as_far_as(const CaseAnswer& record, CaseAnswer answer) {
   if (!record.lower_bound) answer.lower_bound.reset();
   if (!record.is_converged) answer.is_converged.reset();
@@ -41,8 +42,8 @@ CaseAnswer as_far_as(const CaseAnswer& record, CaseAnswer answer) {
   return answer;
 }
 
-/// The referee records no points. Where law 11 lets shapes touch a little sooner than they do, both
-/// answers are right, and neither is a change.
+/// True if an answer differs from the recorded one. The referee records no points. Where law 11
+/// lets shapes touch a little sooner than they do, both answers are right, and neither is a change.
 bool differs(const Testimony& said, const Testimony& recorded) {
   const CaseAnswer &answer = said.answer, &record = recorded.answer;
   if (recorded.witness.engine == "graze") return !is_same(as_far_as(record, answer), record);
@@ -56,7 +57,7 @@ std::string counted(std::size_t count, const char* what) {
   return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
 }
 
-/// "free", "hit at 0.25", "close from 0.5 on".
+/// Returns "free", "hit at 0.25", "close from 0.5 on".
 std::string brief_contact(const CaseAnswer& answer) {
   const bool is_hit = *answer.status == RigidStatus::Hit;
   const std::optional<double>& time = is_hit ? answer.high : answer.low;

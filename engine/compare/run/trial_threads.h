@@ -13,7 +13,7 @@
 
 namespace graze::compare {
 
-/// As many as are asked for; 0: as there are processors.
+/// Returns as many threads as are asked for; 0 asks for as many as there are processors.
 std::size_t thread_count(std::size_t threads);
 
 /// Calls `work` on as many threads (0: as there are processors) as there is work for, this one
@@ -22,31 +22,33 @@ std::size_t thread_count(std::size_t threads);
 void run_on_threads(std::size_t threads, std::size_t most, const std::function<void()>& work,
                     const std::function<void()>& stop);
 
-/// The places that a run goes through: [first, end).
+/// Holds the places that a run goes through: [first, end).
 struct PlaceRange {
   std::size_t first = 0;
   std::size_t end = 0;
-  std::size_t threads = 0;          ///< 0: as many as there are processors
-  std::size_t most_at_once = 1024;  ///< so many places a thread may take at a time
+  std::size_t threads = 0;          ///< 0 for as many as there are processors
+  std::size_t most_at_once = 1024;  ///< the number of places that a thread may take at a time
 };
 
 /// Makes the record of each place, on all threads, and hands them on in the order of places, some
-/// at a time, by one thread at a time: what is done early waits, and who is far ahead waits for the
-/// others, so that memory does not grow with the places. `begin` is called in the order of places,
-/// too, and what it returns is handed to `make`. Once `on_records` returns false nothing new is
-/// begun; what was begun is finished, and handed on as far as nothing is missing before it.
+/// at a time, by one thread at a time. Records that are done early wait, and a thread that is far
+/// ahead waits for the others, so that memory does not grow with the places. `begin` is called in
+/// the order of places, too, and what it returns is handed to `make`. Once `on_records` returns
+/// false nothing new is begun; what was begun is finished, and handed on as far as nothing is
+/// missing before it.
 template <typename Record, typename Begin, typename Make, typename OnRecords>
 void run_in_order(const PlaceRange& range, const Begin& begin, const Make& make,
                   const OnRecords& on_records) {
   using Token = decltype(begin(std::size_t{}));
   const std::size_t threads = thread_count(range.threads);
   const std::size_t places = range.end > range.first ? range.end - range.first : 0;
-  // As many at a time as take some hundredths of a second, so that nobody waits long for a stop,
-  // and few enough that all threads end together.
+  // It takes as many at a time as take some hundredths of a second, so that nobody waits long for a
+  // stop, and few enough that all threads end together.
   const std::size_t most_at_once =
       std::clamp<std::size_t>(places / (threads * 16), 1, range.most_at_once);
   std::atomic<std::size_t> at_once = 1;
-  const std::size_t most_ahead = 4 * threads;  // pieces that are done before their turn
+  const std::size_t most_ahead = 4 * threads;  // the number of pieces that may be done before their
+                                               // turn
   std::mutex beginning;
   std::size_t next = range.first;
   std::size_t pieces = 0;
@@ -55,7 +57,7 @@ void run_in_order(const PlaceRange& range, const Begin& begin, const Make& make,
   std::condition_variable is_handed_on;
   struct Piece {
     std::vector<Record> records;
-    bool is_whole;  ///< nothing can follow one that is not
+    bool is_whole;  ///< nothing can follow a piece that is not
   };
   std::map<std::size_t, Piece> done;  // these wait for their turn
   std::size_t handed_on = 0;

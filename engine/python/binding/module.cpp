@@ -5,7 +5,8 @@
 // NOLINTNEXTLINE: a macro makes what Python looks for
 PYBIND11_MODULE(_graze, module) {
   pybind11::options options;
-  options.disable_function_signatures();  // docstrings begin with their own, which inspect reads
+  options.disable_function_signatures();  // docstrings begin with their own signatures, which
+                                          // inspect reads
   module.doc() = "What the package graze is made of: use that.";
   module.attr("__version__") = graze::library_version();
   graze::python::add_errors(module);

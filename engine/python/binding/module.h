@@ -4,7 +4,7 @@
 
 namespace graze::python {
 
-// What each source adds to the module, types before those that use them.
+// Each source adds its part to the module, types before those that use them.
 void add_errors(pybind11::module_& module);
 void add_work(pybind11::module_& module);
 void add_meshes(pybind11::module_& module);

@@ -13,9 +13,10 @@
 namespace graze::record {
 namespace {
 
-// A lie about a length must not take the memory of one.
+// At most so many bytes are read at once, so that a wrong length does not take the memory that it
+// says.
 constexpr std::size_t kReadAtOnce = std::size_t{1} << 20;
-// What deflate makes of equal bytes: 258 of them from two bits, and some room.
+// Deflate makes at most so many equal bytes of one: 258 of them from two bits, and some room.
 constexpr std::uint64_t kMostUnpackedOfByte = 1040;
 
 std::uint32_t checksum(std::string_view bytes) {

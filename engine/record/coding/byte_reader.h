@@ -12,8 +12,8 @@ namespace graze::record {
 /// Reads what a ByteWriter wrote. Refusals are RecordingErrors that name the byte of the file.
 class ByteReader {
  public:
-  /// The bytes stand in the file `name` from `offset` on; `name` must outlive this. `is_packed`:
-  /// they were unpacked, and errors name where the packed ones begin.
+  /// The bytes stand in the file `name` from `offset` on; `name` must outlive this. With
+  /// `is_packed` they were unpacked, and errors name where the packed ones begin.
   ByteReader(std::string_view bytes, const std::string& name, std::uint64_t offset,
              bool is_packed = false)
       : bytes_(bytes), name_(name), offset_(offset), is_packed_(is_packed) {}
@@ -36,11 +36,12 @@ class ByteReader {
     const std::uint64_t turned = number();
     return static_cast<std::int64_t>(turned >> 1 ^ (~(turned & 1) + 1));
   }
-  /// A number that must be at most so much.
+  /// Reads a number that must be at most so much.
   std::uint32_t number_up_to(std::uint64_t most, const char* what);
-  /// How many elements follow, of so many bytes each at least: what is less cannot be in there.
+  /// Reads how many elements follow, each of at least so many bytes; fails if fewer bytes are left
+  /// than they need.
   std::size_t count(std::size_t least_bytes_each, const char* what);
-  /// Bits of which only those of `known` may be set.
+  /// Reads bits of which only those of `known` may be set.
   std::uint8_t flags(std::uint8_t known, const char* what);
 
   std::size_t remaining() const { return bytes_.size() - at_; }

@@ -9,19 +9,19 @@
 
 namespace graze::record {
 
-/// The bytes of a number, lowest first, as a word of this machine.
+/// Returns the bytes of a number, lowest first, as a word of this machine.
 constexpr std::uint64_t lowest_first(std::uint64_t word) {
   return std::endian::native == std::endian::little ? word : __builtin_bswap64(word);
 }
 
-/// Bytes that grow at their end, in memory that is kept when they are cleared.
+/// Holds bytes that grow at their end, in memory that is kept when they are cleared.
 class ByteWriter {
  public:
   void clear() { size_ = 0; }
   std::size_t size() const { return size_; }
   std::string_view view() const { return {reinterpret_cast<const char*>(bytes_.data()), size_}; }
 
-  /// Where up to `count` bytes may be written, which end_at() then counts.
+  /// Returns where up to `count` bytes may be written, which end_at() then counts.
   unsigned char* room(std::size_t count) {
     if (bytes_.size() - size_ < count) bytes_.resize(2 * bytes_.size() + count + kLeast);
     return bytes_.data() + size_;
@@ -47,7 +47,8 @@ class ByteWriter {
     size_ += sizeof bytes;
   }
   void real(double value) { word(std::bit_cast<std::uint64_t>(value)); }
-  /// Seven bits in each byte, the lowest first; all but the last have the eighth (LEB128).
+  /// Writes seven bits in each byte, the lowest first; all but the last byte have the eighth bit
+  /// set (LEB128).
   void number(std::uint64_t value) {
     unsigned char* at = room(kLongestNumber);
     for (; value >= 0x80; value >>= 7)
@@ -55,7 +56,7 @@ class ByteWriter {
     *at++ = static_cast<unsigned char>(value);
     end_at(at);
   }
-  /// The same of what may be negative: its sign is the lowest bit.
+  /// Writes a number that may be negative in the same way: its sign is the lowest bit.
   void difference(std::int64_t value) {
     number(static_cast<std::uint64_t>(value) << 1 ^ static_cast<std::uint64_t>(value >> 63));
   }
@@ -64,7 +65,7 @@ class ByteWriter {
   static constexpr std::size_t kLeast = 256;
   static constexpr std::size_t kLongestNumber = 10;
 
-  std::vector<unsigned char> bytes_;  ///< room; the first size_ are written
+  std::vector<unsigned char> bytes_;  ///< the memory; its first size_ bytes are written
   std::size_t size_ = 0;
 };
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// Doubles as how far they are from a guess, exactly.
+// Doubles are written by how far they are from a guess, exactly.
 
 #include <graze/engine/record/coding/byte_reader.h>
 #include <graze/engine/record/coding/byte_writer.h>
@@ -14,8 +14,8 @@
 
 namespace graze::record {
 
-/// How many bytes the difference of two patterns of bits takes, whose sign is the lowest bit. Bits
-/// of doubles of one sign are ordered as the doubles are, so that a good guess leaves few.
+/// Returns the difference of two patterns of bits, whose sign is the lowest bit. Bits of doubles of
+/// one sign are ordered as the doubles are, so that a good guess leaves few.
 inline std::uint64_t turned_difference(double actual, double guess) {
   const std::uint64_t step =
       std::bit_cast<std::uint64_t>(actual) - std::bit_cast<std::uint64_t>(guess);
@@ -26,8 +26,8 @@ inline double turned_back(std::uint64_t turned, double guess) {
   return std::bit_cast<double>(std::bit_cast<std::uint64_t>(guess) + step);
 }
 
-/// Half a byte for each double, which says how many bytes of its difference follow, 0 to 8; then
-/// these bytes.
+/// Writes half a byte for each double, which says how many bytes of its difference follow, 0 to 8;
+/// then these bytes.
 template <std::size_t kCount>
 void write_doubles(ByteWriter& to, const std::array<double, kCount>& actual,
                    const std::array<double, kCount>& guess) {
@@ -40,7 +40,7 @@ void write_doubles(ByteWriter& to, const std::array<double, kCount>& actual,
     const std::uint64_t turned = turned_difference(actual[i], guess[i]);
     const auto length = static_cast<unsigned>((71 - std::countl_zero(turned)) / 8);
     const std::uint64_t bytes = lowest_first(turned);
-    std::memcpy(at, &bytes, sizeof bytes);  // what is beyond its length is written over
+    std::memcpy(at, &bytes, sizeof bytes);  // the next double writes over what is beyond its length
     at += length;
     lengths |= std::uint64_t{length} << 4 * i;
   }
@@ -49,7 +49,7 @@ void write_doubles(ByteWriter& to, const std::array<double, kCount>& actual,
   to.end_at(at);
 }
 
-/// Reads them one after the other, so that a guess may depend on those before it.
+/// Reads the doubles one after the other, so that a guess may depend on those before it.
 template <std::size_t kCount>
 class DoubleReader {
  public:

@@ -32,7 +32,7 @@ void PoseTrack::begin(const Pose& pose) {
   learn(numbers_of(pose));
 }
 
-/// R_1 (R_0^T R_1): the turn of before once more.
+/// Guesses R_1 (R_0^T R_1): the turn of before once more.
 PoseTrack::Columns PoseTrack::guessed_turn() const {
   Columns guess;
   if (known_ < 2 || is_still_) {
@@ -41,7 +41,7 @@ PoseTrack::Columns PoseTrack::guessed_turn() const {
   }
   for (std::size_t column = 0; column < 2; ++column) {
     const double* now = turn_.data() + 3 * column;
-    std::array<double, 3> step;  // of this column in the axes of before
+    std::array<double, 3> step;  // the step of this column in the axes of before
     for (std::size_t k = 0; k < 3; ++k) {
       const double* axis = turn_before_.data() + 3 * k;
       step[k] = (axis[0] * now[0] + axis[1] * now[1]) + axis[2] * now[2];

@@ -9,7 +9,7 @@
 
 namespace graze::record {
 
-/// The last poses of a body, and where it is guessed to be next. Writer and reader guess alike, in
+/// Keeps the last poses of a body, and guesses where it is next. Writer and reader guess alike, in
 /// operations that are each rounded once, so that what is written is how far the guess is off.
 ///
 /// A body that turns steadily keeps turning by R_1 R_0^T, the third column is the cross product of
@@ -26,7 +26,7 @@ class PoseTrack {
  private:
   using Columns = std::array<double, 6>;
 
-  /// The first two columns.
+  /// Guesses the first two columns.
   Columns guessed_turn() const;
   std::array<double, 3> guessed_column(const Columns& turn) const;
   std::array<double, 3> guessed_place() const;
@@ -34,12 +34,12 @@ class PoseTrack {
 
   std::array<double, 9> turn_{}, turn_before_{};  ///< column by column
   std::array<double, 3> place_{}, place_before_{}, place_long_before_{};
-  std::uint8_t known_ = 0;  ///< poses, up to three
-  bool is_still_ = false;   ///< the last two are turned alike
+  std::uint8_t known_ = 0;  ///< the number of poses, up to three
+  bool is_still_ = false;   ///< true if the last two are turned alike
   bool is_curved_ = false;
 };
 
-/// A pose by itself: twelve numbers, column by column.
+/// Write and read a pose by itself: twelve numbers, column by column.
 void write_pose(const Pose& pose, ByteWriter& to);
 Pose read_pose(ByteReader& from);
 

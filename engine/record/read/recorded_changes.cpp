@@ -1,4 +1,4 @@
-// What was done to the world between two updates.
+// Reads what was done to the world between two updates.
 
 #include <graze/engine/record/read/recording_data.h>
 #include <graze/engine/record/shapes/settings_content.h>
@@ -15,7 +15,7 @@ namespace {
 // Indices beyond this are no one's: a world takes hundreds of bytes for each.
 constexpr std::uint64_t kMostIndex = 0xfffffffe;
 
-/// An axis of length 1 stays as it is, so that the motion is the same to the bit.
+/// Reads a motion. An axis of length 1 stays as it is, so that the motion is the same to the bit.
 RigidMotion read_motion(ByteReader& from) {
   const Pose start = record::read_pose(from);
   std::array<Eigen::Vector3d, 3> vectors;
@@ -25,7 +25,7 @@ RigidMotion read_motion(ByteReader& from) {
   return {start, {vectors[0], vectors[1], vectors[2], from.real()}};
 }
 
-/// One of a few, of so many.
+/// Reads one of `count` choices.
 std::uint8_t choice(ByteReader& from, std::uint8_t count) {
   const std::uint8_t value = from.byte();
   if (value >= count) from.fail("a setting that is none");

@@ -13,9 +13,11 @@
 
 namespace graze {
 
-/// What a user's own filter said in the update that was read last: it meets all but these.
+/// Holds what a user's own filter said in the update that was read last: it meets all pairs but
+/// these.
 struct RecordedFilter {
-  std::set<std::pair<std::uint32_t, std::uint32_t>> refused;  ///< the smaller index first
+  std::set<std::pair<std::uint32_t, std::uint32_t>> refused;  ///< pairs of indices, the smaller one
+                                                              ///< first
 };
 
 struct RecordingReader::Data {
@@ -33,7 +35,7 @@ struct RecordingReader::Data {
   std::shared_ptr<const RecordedState> read_contents(record::ByteReader& from);
   void read_refused(record::ByteReader& from);
   std::uint32_t next_index(record::ByteReader& from);
-  /// Of a body that is there.
+  /// Returns the id of a body that is there.
   BodyId live(std::uint64_t index, const record::ByteReader& from) const;
   std::uint32_t known_shape(record::ByteReader& from) const;
   std::function<bool(BodyId, BodyId)> filter() const;
@@ -49,8 +51,8 @@ struct RecordingReader::Data {
   RecordingEnd end = RecordingEnd::NotReached;
   bool has_failed = false;
   std::vector<std::shared_ptr<const BodyShape>> shapes;
-  record::LastIds ids;        ///< the last users of indices
-  std::vector<bool> is_live;  ///< by index
+  record::LastIds ids;        ///< the last users of each index
+  std::vector<bool> is_live;  ///< whether the body of each index is there
   std::vector<record::PoseTrack> tracks;
   std::int64_t last_body = 0;
   std::shared_ptr<RecordedFilter> said = std::make_shared<RecordedFilter>();

@@ -42,7 +42,7 @@ std::unique_ptr<std::istream> open(const std::filesystem::path& file) {
   return stream;
 }
 
-/// What a shape or a pose is refused for is damage of the file.
+/// Reads a shape or a pose; if it is refused the file is damaged.
 template <typename Read>
 void at_block(const Block& block, const record::BlockReader& blocks, const Read& read) {
   try {

@@ -1,4 +1,4 @@
-// Where two runs part: list by list, and within a list pair by pair.
+// Finds where two runs part: list by list, and within a list pair by pair.
 
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/engine/record/coding/work_counters.h>
@@ -19,7 +19,7 @@ std::string hex_of(double number) {
   return text.data();
 }
 
-/// Of two ascending lists the first pair that is in one alone.
+/// Finds the first pair that is in one alone of two ascending lists.
 Difference in_lists(std::size_t update, const char* what, const std::vector<BodyPair>& first,
                     const std::vector<BodyPair>& second) {
   const auto [at, other] = std::mismatch(first.begin(), first.end(), second.begin(), second.end());
@@ -54,7 +54,7 @@ std::string brief(const BodyFirstContact& met) {
          hex_of(met.contact.low) + " to " + hex_of(met.contact.high);
 }
 
-/// Of lists in ascending order of pairs, of which one may have several elements.
+/// Compares lists in ascending order of pairs, where a pair may have several elements.
 template <typename Element>
 Difference in_elements(std::size_t update, const char* what, const std::vector<Element>& first,
                        const std::vector<Element>& second) {
@@ -85,7 +85,7 @@ Difference in_work(std::size_t update, const RecordedAnswers& first,
   return difference;
 }
 
-/// What a change is, and whether two of one kind are equal.
+/// Says what a change is, and whether two of one kind are equal.
 struct ChangeWords {
   std::string operator()(const BodyAdded& change) const {
     return of("added", change.id) + " with shape " + std::to_string(change.shape);

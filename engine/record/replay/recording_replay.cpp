@@ -83,7 +83,7 @@ struct RecordingReplay::Data {
   RecordingReader reader;
   RecordingReplaySettings settings;
   World world;
-  bool knows_work;  ///< what the recorded world knew of pairs is what this one knows
+  bool knows_work;  ///< true if this world knows of pairs what the recorded one knew
   RecordedStep none;
   const RecordedStep* step = &none;
   WorldUpdate update{};

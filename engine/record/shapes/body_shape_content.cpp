@@ -1,4 +1,4 @@
-// Compounds and maps of voxels, whose parts keep their numbers.
+// Writes and reads compounds and maps of voxels, whose parts keep their numbers.
 
 #include <graze/bvh/error.h>
 #include <graze/engine/record/coding/pose_track.h>
@@ -36,7 +36,7 @@ void write_compound(const Compound& compound, const NumberOfShape& number_of, By
   }
 }
 
-/// Numbers that no part has are those of parts that were removed again.
+/// Reads a compound. Numbers that no part has are those of parts that were removed again.
 Compound read_compound(ByteReader& from, const ShapeOfNumber& shape_of) {
   Compound compound;
   std::vector<std::uint32_t> removed;
@@ -61,7 +61,7 @@ Compound read_compound(ByteReader& from, const ShapeOfNumber& shape_of) {
   return compound;
 }
 
-/// Voxels by the place of their block, which their numbers as parts begin with.
+/// Writes voxels by the place of their block, which their numbers as parts begin with.
 void write_voxel_map(const VoxelMap& map, ByteWriter& to) {
   const VoxelGrid& grid = map.grid();
   for (int i = 0; i < 3; ++i)
@@ -90,7 +90,7 @@ BlockCorner corner_of(const Voxel& voxel) {
 }
 
 /// Puts voxels of blocks that have none into the places that are skipped, and takes them out at the
-/// end: blocks take places one after the other.
+/// end, because blocks take places one after the other.
 class PlaceFiller {
  public:
   PlaceFiller(VoxelMap& map, std::set<BlockCorner> taken) : map_(map), taken_(std::move(taken)) {}
@@ -128,7 +128,7 @@ class PlaceFiller {
 };
 
 struct PlacedBlock {
-  std::uint32_t skipped = 0;  ///< places before it
+  std::uint32_t skipped = 0;  ///< the number of places skipped before it
   std::vector<Voxel> voxels;
 };
 

@@ -9,7 +9,7 @@ namespace graze::record {
 void write_filter(const Filter& filter, ByteWriter& to);
 Filter read_filter(ByteReader& from);
 
-/// Kind, role, detection and sides in a byte, then the rest.
+/// Write and read settings: kind, role, detection and sides in a byte, then the rest.
 void write_settings(const BodySettings& settings, ByteWriter& to);
 BodySettings read_settings(ByteReader& from);
 

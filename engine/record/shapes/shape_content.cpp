@@ -10,7 +10,7 @@
 namespace graze::record {
 namespace {
 
-// What each kind takes at least in bytes, for counts that lie.
+// Each kind takes at least so many bytes, by which wrong counts are refused.
 constexpr std::size_t kPointBytes = 24;
 
 void write_vector(const Eigen::Vector3d& v, ByteWriter& to) {
@@ -34,7 +34,8 @@ std::vector<std::uint8_t> read_numbers(ByteReader& from) {
   return {bytes.begin(), bytes.end()};
 }
 
-/// Plane by plane: bytes of one place in all numbers, which zlib packs better.
+/// Writes points plane by plane: bytes of one place in all numbers are together, which zlib packs
+/// better.
 void write_points(std::span<const Eigen::Vector3d> points, ByteWriter& to) {
   to.number(points.size());
   for (std::size_t byte = 0; byte < sizeof(double); ++byte) {
@@ -124,7 +125,7 @@ Mesh read_mesh(ByteReader& from) {
   return materials.empty() ? Mesh(vertices, triangles) : Mesh(vertices, triangles, materials);
 }
 
-/// Whole numbers have 16 bits each; the others are floats.
+/// Writes a height field. Heights as whole numbers have 16 bits each; the others are floats.
 void write(const HeightField& field, ByteWriter& to) {
   const HeightFieldData& data = HeightFieldAccess::data(field);
   to.number(data.columns), to.number(data.rows);
@@ -184,7 +185,8 @@ HeightField read_height_field(ByteReader& from) {
                                        : read_field<std::uint16_t>(from, columns, rows, settings);
 }
 
-/// A half-space or a plane with the numbers that a shape has had: those it leaves as they are.
+/// Makes a half-space or a plane with the numbers that a shape has had, which it leaves as they
+/// are.
 template <typename Flat>
 Shape as_it_was(const Flat& flat, const ByteReader& from) {
   Shape shape(flat);
@@ -199,7 +201,7 @@ void write_shape(const Shape& shape, ByteWriter& to) {
   std::visit([&](const auto& value) { write(value, to); }, shape.value());
 }
 
-/// Members in braces are read in the order in which they stand.
+/// Reads a shape. Members in braces are read in the order in which they stand.
 Shape read_shape(std::uint8_t kind, ByteReader& from) {
   switch (static_cast<ShapeKind>(kind)) {
     case ShapeKind::Sphere:

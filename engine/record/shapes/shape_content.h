@@ -11,23 +11,23 @@
 
 namespace graze::record {
 
-/// The kinds beyond ShapeKind, in the byte that begins a shape.
+/// These kinds come on top of ShapeKind, in the byte that begins a shape.
 inline constexpr std::uint8_t kCompoundKind = 32, kVoxelMapKind = 33;
 
-/// Whether a shape can be written: a user's own cannot.
+/// True if a shape can be written: a user's own cannot.
 bool can_be_written(const BodyShape& shape);
 
-/// The number of a shape that a part has.
+/// Returns the number of a part's shape.
 using NumberOfShape = std::function<std::uint32_t(const Shape&)>;
-/// The shape of a number, which is a Shape, or nullptr.
+/// Returns the shape of a number, which is a Shape, or nullptr.
 using ShapeOfNumber = std::function<const Shape*(std::uint32_t)>;
 
-/// All that a body's shape is: its kind and its numbers. Parts refer to shapes that were written
-/// before. Throws InputError for a shape of a user's own.
+/// Write and read all that a body's shape is: its kind and its numbers. Parts refer to shapes that
+/// were written before. Throws InputError for a shape of a user's own.
 void write_body_shape(const BodyShape& shape, const NumberOfShape& number_of, ByteWriter& to);
 std::shared_ptr<const BodyShape> read_body_shape(ByteReader& from, const ShapeOfNumber& shape_of);
 
-/// The same of what is no compound and no map of voxels.
+/// Write and read a shape that is no compound and no map of voxels.
 void write_shape(const Shape& shape, ByteWriter& to);
 Shape read_shape(std::uint8_t kind, ByteReader& from);
 

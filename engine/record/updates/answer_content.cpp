@@ -13,7 +13,7 @@ using Vector = Eigen::Vector3d;
 constexpr std::size_t kNumbersOfContact = 13;
 using ContactNumbers = std::array<double, kNumbersOfContact>;
 
-// Of a contact: point on A, normal, depth, point on B, the point between.
+// The numbers of a contact are: point on A, normal, depth, point on B, the point between.
 constexpr std::size_t kPointA = 0, kNormal = 3, kDepth = 6, kPointB = 7, kPoint = 10;
 
 ContactNumbers numbers_of(const ShapeContact& contact) {
@@ -29,7 +29,8 @@ ContactNumbers numbers_of(const ShapeContact& contact) {
   return numbers;
 }
 
-/// What follows from the numbers before: by what a contact is, but for rounding.
+/// Guesses a number from those before it: by what a contact is it follows from them, but for
+/// rounding.
 double guess_of(const ContactNumbers& numbers, std::size_t which, const ContactNumbers& before) {
   if (which < kPointB) return before[which];
   if (which < kPoint) {
@@ -78,7 +79,7 @@ Manifold read_manifold(ByteReader& from) {
   const std::uint32_t part_a = from.number_up_to(0xffffffff, "part");
   manifold.set_parts(part_a, from.number_up_to(0xffffffff, "part"));
   ContactNumbers before{};
-  // Seven bytes of lengths, and five numbers.
+  // A contact has seven bytes of lengths, and five numbers.
   for (std::size_t left = from.count(12, "contacts"); left > 0; --left) {
     const ShapeContact contact = read_contact(before, from);
     const std::uint32_t last = manifold.empty() ? 0 : manifold[manifold.size() - 1].region;
@@ -89,7 +90,7 @@ Manifold read_manifold(ByteReader& from) {
   return manifold;
 }
 
-/// Pairs in an order of theirs, each by how far its index is from that of the one before.
+/// Writes pairs in an order of theirs, each by how far its index is from that of the one before.
 class PairWriter {
  public:
   explicit PairWriter(ByteWriter& to) : to_(to) {}
@@ -180,29 +181,29 @@ std::vector<BodyFirstContact> read_first_contacts(ByteReader& from, const LastId
   return list;
 }
 
-/// Pairs of bodies that are there, by a number that ascends as they do: of each index there is one.
+/// Returns a number that ascends as pairs of bodies that are there do: each index has one body.
 std::uint64_t place_of(const BodyPair& pair) {
   return std::uint64_t{pair.a.index} << 32 | pair.b.index;
 }
 
-/// Manifolds that come from memory while others are copied, and the bytes of each that has one
+/// So many manifolds come from memory while others are copied, with the bytes of each that has one
 /// contact, as most have.
 constexpr std::size_t kContactsAhead = 12, kBytesAhead = 192, kLine = 64;
 
-/// The manifolds of an update, which take more than a cache holds, from the first to the last.
+/// Finds manifolds of an update, which take more than a cache holds, from the first to the last.
 class ContactSearch {
  public:
   explicit ContactSearch(std::span<const BodyContact> all) : all_(all) {}
 
-  /// Those of a pair, of parts several; none is asked for a lower pair than the one before. O(log
-  /// of how far away they are).
+  /// Returns the manifolds of a pair, which are several if it has parts. No pair may be lower than
+  /// the one asked before. Takes O(log of how far away they are).
   std::span<const BodyContact> of(const BodyPair& pair) {
     const std::uint64_t place = place_of(pair);
     fetch();
     std::size_t step = 1;
     for (; at_ < all_.size() && place_at(at_) < place; step *= 2)
       at_ += step;
-    // The last step led too far, perhaps.
+    // The last step may have led too far.
     if (step > 2) {
       const std::size_t low = at_ - step / 2 + 1;
       const auto first = all_.begin() + static_cast<std::ptrdiff_t>(low);
@@ -234,11 +235,11 @@ class ContactSearch {
   }
 
   std::span<const BodyContact> all_;
-  std::size_t at_ = 0;       ///< behind what was found last
-  std::size_t fetched_ = 0;  ///< up to here they are in a cache, or on their way
+  std::size_t at_ = 0;       ///< the place behind what was found last
+  std::size_t fetched_ = 0;  ///< the place up to which they are in a cache, or on their way
 };
 
-/// Of the update's contacts those that are kept. O(those, and the log of the others).
+/// Visits those of the update's contacts that are kept. Takes O(those, and the log of the others).
 template <typename Take>
 void for_each_kept(const WorldUpdate& update, RecordedContacts which, const Take& take) {
   if (which == RecordedContacts::All)

@@ -10,36 +10,37 @@
 
 namespace graze::record {
 
-/// Of the users of each index the last one: what names of bodies by index alone mean.
+/// Holds the last user of each index, which names of bodies by index alone mean.
 using LastIds = std::vector<BodyId>;
 
-/// The id that the index has or had last. Throws RecordingError for one that nobody had.
+/// Returns the id that the index has or had last. Throws RecordingError for an index that nobody
+/// had.
 BodyId id_of(std::uint64_t index, const LastIds& ids, const ByteReader& from);
 
 void write_pairs(std::span<const BodyPair> ascending, ByteWriter& to);
 std::vector<BodyPair> read_pairs(ByteReader& from, const LastIds& ids);
 
-/// A manifold of those of an update, without its contacts.
+/// Holds a manifold of an update, without its contacts.
 struct KeptManifold {
   BodyPair pair;
   std::uint32_t part_a;
   std::uint32_t part_b;
-  std::uint32_t contacts;  ///< how many there are
+  std::uint32_t contacts;  ///< the number of its contacts
 };
 
-/// What an update said, as it waits to be written: contacts one behind the other, for a manifold
-/// has room for four and mostly one or two.
+/// Holds what an update said, as it waits to be written: contacts one behind the other, for a
+/// manifold has room for four and mostly one or two.
 struct KeptAnswers {
-  RecordedAnswers others = {};  ///< all but contacts
+  RecordedAnswers others = {};  ///< all answers but contacts
   std::vector<KeptManifold> manifolds = {};
-  std::vector<ShapeContact> contacts = {};  ///< of all manifolds, in order
+  std::vector<ShapeContact> contacts = {};  ///< the contacts of all manifolds, in order
 };
 
-/// What answers_of() keeps, in memory that is there.
+/// Keeps what answers_of() keeps, in memory that is there.
 void keep_answers(const WorldUpdate& update, RecordedContacts contacts, bool has_work,
                   KeptAnswers& to);
 
-/// Work, too, if it is kept.
+/// Write and read answers, with work if it is kept.
 void write_answers(const KeptAnswers& answers, ByteWriter& to);
 RecordedAnswers read_answers(ByteReader& from, const LastIds& ids, bool has_work);
 

@@ -4,11 +4,11 @@
 
 namespace graze::record {
 
-/// What begins each change in an update's block. Behind it stands how far the body's index is from
-/// that of the change before, but for those without a body.
+/// Names what begins each change in an update's block. Behind it stands how far the body's index is
+/// from that of the change before, but for those without a body.
 enum class ChangeKind : std::uint8_t {
-  End = 0,    ///< no more; no body
-  Moved = 1,  ///< of the body with the next index; no body
+  End = 0,    ///< there are no more changes; no body
+  Moved = 1,  ///< it is about the body with the next index; no body is named
   MovedElse = 2,
   Added = 3,
   Removed = 4,
@@ -22,8 +22,8 @@ enum class ChangeKind : std::uint8_t {
   UserData = 12,
   Slept = 13,
   Woken = 14,
-  Excluded = 15,   ///< and the other body
-  Included = 16,   ///< likewise
+  Excluded = 15,   ///< the other body follows
+  Included = 16,   ///< the other body follows
   FilterSet = 17,  ///< no body
   FilterGone = 18,
   Named = 19,

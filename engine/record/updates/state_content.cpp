@@ -62,7 +62,7 @@ void write_body(const Bodies::Body& body, const Bodies::Changes& record, std::ui
   to.real(record.path);
 }
 
-/// Fills a body that is there.
+/// Fills in a body that is there.
 RecordedBody read_body(ByteReader& from, std::span<const std::shared_ptr<const BodyShape>> shapes,
                        Bodies::Body& body, Bodies::Changes& record) {
   RecordedBody read;
@@ -92,7 +92,7 @@ RecordedBody read_body(ByteReader& from, std::span<const std::shared_ptr<const B
   return read;
 }
 
-/// Each pair once, the smaller index first, ascending.
+/// Writes each pair once, the smaller index first, ascending.
 void write_exclusions(const std::set<std::uint64_t>& excluded, ByteWriter& to) {
   to.number(excluded.size() / 2);
   for (const std::uint64_t pair : excluded) {
@@ -175,7 +175,8 @@ RecordedState read_state(ByteReader& from, std::span<const std::shared_ptr<const
   IdTableAccess::visit(all.ids,
                        [&](const auto& list, const auto&...) { generations = list.size(); });
   const std::uint64_t bodies = from.number();
-  // Bodies are made before their indices are taken: one that failed may have left room for one.
+  // Bodies are made before their indices are taken, so that one that failed may have left room for
+  // one.
   if (bodies < generations || bodies > generations + 1) from.fail("more bodies than ids");
   all.bodies.resize(static_cast<std::size_t>(bodies));
   all.changes.resize(all.bodies.size());

@@ -69,7 +69,7 @@ WorldRecorder::Journal::Journal(Sink sink, const WorldRecorderSettings& settings
         record::append_block(BlockKind::Shape, record::packed(content), blocks_);
       }) {}
 
-/// The rest of a recording is not written once something is missing.
+/// Keeps a note. The rest of a recording is not written once something is missing.
 template <typename Note>
 void WorldRecorder::Journal::keep(const Note& note) noexcept {
   if (!is_open_ || failure_ != nullptr) return;
@@ -114,7 +114,7 @@ void WorldRecorder::Journal::begin(const WorldContents& contents) {
   record::append_block(BlockKind::Head, head.view(), blocks_);
   const bool begins_empty = !contents.is_updated;  // what came waits for the first update
   ByteWriter state;
-  // The blocks of its shapes come first.
+  // The blocks of its shapes are written first.
   if (begins_empty) {
     Bodies none;
     none.number_bits = contents.all.number_bits;
@@ -129,7 +129,7 @@ void WorldRecorder::Journal::begin(const WorldContents& contents) {
   if (begins_empty) note_all(contents.all);
 }
 
-/// That all came in the order of their indices.
+/// Notes that all bodies came, in the order of their indices.
 void WorldRecorder::Journal::note_all(const Bodies& all) {
   for (std::uint32_t index = 0; index < all.bodies.size(); ++index) {
     if (!all.ids.is_live(index)) continue;
@@ -180,7 +180,7 @@ void WorldRecorder::Journal::note_set(ChangeKind kind, const Bodies& all, std::u
     case ChangeKind::Removed:
       ids_[index] = {};
       return;
-    default:  // put to sleep, woken: that says it all
+    default:  // for a body put to sleep or woken that says it all
       return;
   }
 }
@@ -272,7 +272,7 @@ void WorldRecorder::Journal::finish() {
   keep([&] {
     ByteWriter end;
     end.number(queue_.updates());
-    blocks_.clear();  // shapes of changes that no update followed
+    blocks_.clear();  // it may hold shapes of changes that no update followed
     record::append_block(BlockKind::End, end.view(), blocks_);
     queue_.hand_over(blocks_);
   });

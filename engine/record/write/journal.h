@@ -21,12 +21,12 @@ class WorldRecorder::Journal final : public WorldJournal {
 
   Journal(Sink sink, const WorldRecorderSettings& settings);
 
-  /// Writes the head and what the world is. Throws.
+  /// Writes the head and what the world is. Throws what goes wrong.
   void begin(const WorldContents& contents);
   void name(BodyId id, std::string_view name);
   /// Throws what went wrong, once.
   void finish();
-  /// Takes no note any more.
+  /// Takes no further notes.
   void close() noexcept;
 
   std::size_t updates() const { return queue_.updates(); }
@@ -51,16 +51,19 @@ class WorldRecorder::Journal final : public WorldJournal {
   void note_all(const Bodies& all);
   void write_contents(const WorldContents& contents, record::ByteWriter& to);
   std::uint32_t number_of(const std::shared_ptr<const BodyShape>& shape);
-  record::ByteWriter& changes() { return queue_.notes().changes; }  ///< since the last update
+  record::ByteWriter& changes() {
+    return queue_.notes().changes;
+  }  ///< the changes since the last
+     ///< update
   void note_id(BodyId id);
 
   record::StepQueue queue_;
   WorldRecorderSettings settings_;
   record::ShapeTable shapes_;
-  std::vector<BodyId> ids_;       ///< of those that are there, by index
-  std::vector<BoxPair> refused_;  ///< since the last update
-  std::string blocks_;            ///< that wait for the end of the update
-  std::uint32_t last_body_ = 0;   ///< that a change was about
+  std::vector<BodyId> ids_;       ///< the ids of bodies that are there, by index
+  std::vector<BoxPair> refused_;  ///< pairs that were refused since the last update
+  std::string blocks_;            ///< blocks that wait for the end of the update
+  std::uint32_t last_body_ = 0;   ///< the body that the last change was about
   bool is_open_ = true;
   std::exception_ptr failure_;
 };

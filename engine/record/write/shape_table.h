@@ -14,23 +14,23 @@
 
 namespace graze::record {
 
-/// The numbers that shapes have in a recording: each content once. What two shapes have in common
-/// is known by the SHA-256 of their bytes.
+/// Keeps the numbers that shapes have in a recording: each content once. It knows equal shapes by
+/// the SHA-256 of their bytes.
 class ShapeTable {
  public:
-  /// `on_shape(content)` is called for each new one, in the order of their numbers.
+  /// Calls `on_shape(content)` for each new shape, in the order of their numbers.
   explicit ShapeTable(std::function<void(std::string_view)> on_shape)
       : on_shape_(std::move(on_shape)) {}
 
-  /// Throws InputError for a shape of a user's own.
+  /// Returns the number of a shape. Throws InputError for a shape of a user's own.
   std::uint32_t number_of(const std::shared_ptr<const BodyShape>& shape);
 
  private:
   std::uint32_t number_of_content(const ByteWriter& content);
 
   std::function<void(std::string_view)> on_shape_;
-  /// By the handle, and not by its address, which another shape may have later. A shape that nobody
-  /// else holds is gone all the same.
+  /// Shapes are kept by handle, and not by their address, which another shape may have later. A
+  /// shape that nobody else holds is gone all the same.
   std::map<std::weak_ptr<const BodyShape>, std::uint32_t, std::owner_less<>> by_handle_;
   std::unordered_map<std::string, std::uint32_t> by_digest_;
 };

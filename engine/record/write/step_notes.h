@@ -13,21 +13,21 @@
 
 namespace graze::record {
 
-/// What was done to a world until the end of an update, noted as quickly as it can be: copies
-/// of poses and answers, and the rest, of which there is little, as bytes of the format.
+/// Notes what was done to a world until the end of an update, as quickly as it can: copies of poses
+/// and answers, and the rest, of which there is little, as bytes of the format.
 class StepNotes {
  public:
-  /// Poses that stand in between the changes.
+  /// Says where poses stand in between the changes.
   struct Run {
-    std::size_t at = 0;        ///< behind so many bytes of changes
-    std::size_t count = 0;     ///< of bodies and of poses
-    bool is_begin = false;     ///< of bodies that come, whose poses stand in the bytes already
+    std::size_t at = 0;     ///< the place behind so many bytes of changes
+    std::size_t count = 0;  ///< the number of bodies and of poses
+    bool is_begin = false;  ///< true for bodies that come, whose poses stand in the bytes already
     std::uint32_t before = 0;  ///< the body that the change before was about
   };
 
-  ByteWriter changes;   ///< up to what the update said
+  ByteWriter changes;   ///< the changes up to what the update said
   KeptAnswers answers;  ///< what the update said
-  std::string blocks;   ///< of new shapes, which are written before
+  std::string blocks;   ///< blocks of new shapes, which are written before
 
   void clear() {
     changes.clear(), blocks.clear();
@@ -48,8 +48,11 @@ class StepNotes {
   }
 
   std::span<const Run> runs() const { return runs_; }
-  std::span<const std::uint32_t> bodies() const { return bodies_; }  ///< of all runs, in order
-  std::span<const Pose> poses() const { return poses_; }             ///< likewise
+  std::span<const std::uint32_t> bodies() const {
+    return bodies_;
+  }                                                       ///< the bodies of all runs, in
+                                                          ///< order
+  std::span<const Pose> poses() const { return poses_; }  ///< the poses of all runs, in order
 
  private:
   std::vector<Run> runs_;

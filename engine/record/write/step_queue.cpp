@@ -15,7 +15,7 @@ StepQueue::~StepQueue() {
   close();
 }
 
-/// Where the system has no thread left, updates are written at once.
+/// Starts the thread. Where the system has no thread left, updates are written at once.
 bool StepQueue::start() {
   if (writing_ == RecordedWriting::AtOnce) return false;
   if (thread_.joinable()) return true;
@@ -110,7 +110,8 @@ std::uint64_t StepQueue::bytes() const {
   return writer_.bytes();
 }
 
-/// The sink may ask, from the thread that writes: of what is written then.
+/// Waits until all is written. The sink may ask, from the thread that writes, and is told what is
+/// written then.
 void StepQueue::wait_until_idle(std::unique_lock<std::mutex>& lock) const {
   if (std::this_thread::get_id() == thread_.get_id()) return;
   has_changed_.wait(lock, [this] { return waiting_.empty(); });

@@ -15,8 +15,8 @@
 
 namespace graze::record {
 
-/// Notes of updates, which wait for a thread of their own to write them, or are written at once.
-/// One thread may use it; it starts another.
+/// Holds notes of updates, which wait for a thread of their own to write them, or are written at
+/// once. One thread may use the queue; it starts another.
 class StepQueue {
  public:
   StepQueue(StepWriter::Sink sink, RecordedWriting writing);
@@ -24,24 +24,25 @@ class StepQueue {
   StepQueue(const StepQueue&) = delete;
   StepQueue& operator=(const StepQueue&) = delete;
 
-  /// The notes of what is done until the next submit().
+  /// Returns the notes of what is done until the next submit().
   StepNotes& notes() { return *notes_; }
 
   /// Hands the notes over to be written, and begins new ones; waits while many wait. Throws what
   /// went wrong with earlier ones: after that nothing is written.
   void submit();
-  /// Writes blocks as they are, once all that waits is written. Throws likewise.
+  /// Writes blocks as they are, once all that waits is written. Throws as submit() does.
   void hand_over(std::string_view blocks);
-  /// Writes what waits and takes no more.
+  /// Writes what waits and takes no more notes.
   void close() noexcept;
 
-  // These wait until all that was submitted is written, unless the thread that writes asks.
-  bool has_failed() const noexcept;  ///< whether anything went wrong
-  std::size_t updates() const;       ///< that were written
+  // These functions wait until all that was submitted is written, unless the thread that writes
+  // asks.
+  bool has_failed() const noexcept;  ///< true if anything went wrong
+  std::size_t updates() const;       ///< the number of updates that were written
   std::uint64_t bytes() const;       ///< that were written
 
  private:
-  /// Updates that wait: a world that is quicker than its recorder waits for it.
+  /// So many updates may wait; a world that is quicker than its recorder waits for it.
   static constexpr std::size_t kMostWaiting = 3;
 
   bool start();
@@ -49,13 +50,13 @@ class StepQueue {
   void wait_until_idle(std::unique_lock<std::mutex>& lock) const;
   void rethrow_failure() const;
 
-  StepWriter writer_;  ///< the thread's while anything waits
+  StepWriter writer_;  ///< belongs to the thread while anything waits
   std::unique_ptr<StepNotes> notes_ = std::make_unique<StepNotes>();
   RecordedWriting writing_;
 
-  mutable std::mutex mutex_;  ///< of what follows
+  mutable std::mutex mutex_;  ///< guards all that follows
   mutable std::condition_variable has_changed_;
-  std::deque<std::unique_ptr<StepNotes>> waiting_;  ///< the first is being written
+  std::deque<std::unique_ptr<StepNotes>> waiting_;  ///< the first of them is being written
   std::vector<std::unique_ptr<StepNotes>> free_;
   std::exception_ptr failure_;
   bool is_closed_ = false;

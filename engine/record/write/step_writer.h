@@ -19,9 +19,9 @@ class StepWriter {
 
   explicit StepWriter(Sink sink) : sink_(std::move(sink)) {}
 
-  /// Hands over blocks as they are. Throws what the sink does.
+  /// Hands over blocks as they are. Throws what the sink throws.
   void hand_over(std::string_view blocks);
-  /// Hands over the new shapes of an update, and then its block. Throws likewise.
+  /// Hands over the new shapes of an update, and then its block. Throws what the sink throws.
   void write(const StepNotes& notes);
   void close() noexcept { sink_ = nullptr; }
 
@@ -34,7 +34,7 @@ class StepWriter {
   PoseTrack& track_of(std::uint32_t body);
 
   Sink sink_;
-  std::vector<PoseTrack> tracks_;  ///< by body
+  std::vector<PoseTrack> tracks_;  ///< the tracks of poses, by body
   ByteWriter step_;
   std::string blocks_;
   std::size_t updates_ = 0;

@@ -9,7 +9,8 @@
 namespace graze {
 namespace {
 
-/// A file that takes the place of the old one with what comes first, and grows from then on.
+/// Returns a sink into a file that takes the place of the old one with what comes first, and grows
+/// from then on.
 std::function<void(std::string_view)> sink_to(const std::filesystem::path& path) {
   return [file = std::make_shared<files::OutputFile>(path)](std::string_view bytes) {
     file->append(bytes);

@@ -27,7 +27,7 @@ Pose pose_on(const KeyPath& path, double time) {
   pose.matrix().topLeftCorner<3, 3>() = scenes::matrix_of(rotation);
   for (int i = 0; i < 3; ++i) {
     const double start = from.pose(i, 3), end = to.pose(i, 3);
-    // Not start + (end - start) f, whose difference may overflow where the result does not.
+    // This is not start + (end - start) f, whose difference may overflow where the result does not.
     pose.matrix()(i, 3) = start * (1 - fraction) + end * fraction;
   }
   return pose;
@@ -40,7 +40,7 @@ Pose pose_on(const SteadyPath& path, const Pose& start, double time) {
   const double turns = path.rate * time;
   if (turns == 0) return pose;
   if (!std::isfinite(turns)) {
-    pose.matrix()(0, 0) = std::numeric_limits<double>::quiet_NaN();  // refused where poses are
+    pose.matrix()(0, 0) = std::numeric_limits<double>::quiet_NaN();  // is refused where poses are
     return pose;
   }
   pose.matrix().topLeftCorner<3, 3>() = scenes::product(

@@ -15,7 +15,7 @@ namespace {
                   error.place());
 }
 
-/// What is swept goes the short way from pose to pose.
+/// Throws for a turn that is too large: a body that is swept goes the short way from pose to pose.
 void check_turn(const SceneBody& body, double step) {
   const auto* path = std::get_if<SteadyPath>(&body.path);
   if (body.detection == Detection::Discrete || path == nullptr) return;

@@ -15,7 +15,8 @@ Quaternion sum(const Quaternion& a, const Quaternion& b) {
   return {a.w + b.w, a.x + b.x, a.y + b.y, a.z + b.z};
 }
 
-/// On an arc of at most half a circle of quaternions. Each halving adds at most an ulp or two.
+/// Returns a quaternion on an arc of at most half a circle. Each halving adds at most an ulp or
+/// two.
 Quaternion on_arc(Quaternion a, Quaternion b, double fraction) {
   // The chord is as good as the arc once the cube of the angle is below the last bit: an angle of
   // at most pi after 20 halvings is below 2^-18.
@@ -42,7 +43,7 @@ Quaternion turned_by(const Eigen::Vector3d& axis, double turns) {
   double quarters = 4 * (turns - std::floor(turns));
   if (!(quarters < 4)) quarters = 0;  // a tiny way before a full turn, rounded to it
   const int whole = static_cast<int>(quarters);
-  // The half angles 0, 45, 90, 135 and 180 degrees.
+  // These are the half angles 0, 45, 90, 135 and 180 degrees.
   const double diagonal = std::sqrt(0.5);
   constexpr int kCount = 5;
   const std::array<double, kCount> cosines = {1, diagonal, 0, -diagonal, -1};

@@ -49,7 +49,7 @@ Filter read_filter(const JsonCursor& at) {
   return filter;
 }
 
-/// The rows of [R | t].
+/// Reads the rows of [R | t].
 Pose read_rows(const JsonCursor& at, const SceneUnits& units) {
   at.require_size(12);
   Pose pose = Pose::Identity();
@@ -78,7 +78,7 @@ Pose read_pose(const JsonCursor& at, const SceneUnits& units, const BodyShape& s
   } else {
     pose = read_rows(at, units);
   }
-  at_place(at, [&] { return shape.bounds(pose); });  // the door of a world
+  at_place(at, [&] { return shape.bounds(pose); });  // refuses what a world would refuse
   return pose;
 }
 
@@ -141,7 +141,7 @@ BodyPath read_path(const JsonCursor& at, const SceneUnits& units, const BodyShap
 
 }  // namespace
 
-// Divided by the largest first, so that squares neither overflow nor vanish.
+// It is divided by the largest first, so that squares neither overflow nor vanish.
 Eigen::Vector3d read_direction(const JsonCursor& at) {
   const Eigen::Vector3d v = at.point();
   const double largest = std::max({std::abs(v.x()), std::abs(v.y()), std::abs(v.z())});

@@ -1,4 +1,4 @@
-// Terrains in scenes: heights in the file itself, or raw in another one.
+// Reads terrains of scenes: their heights stand in the file itself, or raw in another one.
 
 #include <graze/bvh/error.h>
 #include <graze/engine/scenes/read/scene_parts.h>
@@ -17,10 +17,10 @@ namespace {
 using cases::at_place;
 using cases::JsonCursor;
 
-// As HeightField has it: so that no product overflows before it is asked.
+// HeightField has this limit, too; it is asked here so that no product overflows before.
 constexpr std::uint32_t kMostHeights = (1u << 29) - 1;
 
-/// How many there are along both ways.
+/// Says how many heights there are along both ways.
 struct FieldSize {
   std::uint32_t columns, rows;
   std::size_t heights() const { return std::size_t{columns} * rows; }
@@ -54,7 +54,7 @@ std::vector<float> read_heights(const JsonCursor& at, const FieldSize& size) {
   std::vector<float> heights(size.heights());
   for (std::size_t i = 0; i < heights.size(); ++i) {
     const double height = at.item(i).number();
-    // The cast of what is beyond is undefined.
+    // The cast of a number beyond that range would be undefined.
     if (!(std::abs(height) <= std::numeric_limits<float>::max()))
       at.item(i).fail("is beyond the range of float");
     heights[i] = static_cast<float>(height);
@@ -81,7 +81,7 @@ std::vector<std::uint8_t> read_materials(const JsonCursor& at, const FieldSize& 
   return materials;
 }
 
-/// The bytes of a number, the least first.
+/// Returns the bytes of a number, the least first.
 template <typename Bits>
 Bits bits_at(const std::string& bytes, std::size_t index) {
   Bits bits = 0;
@@ -91,7 +91,7 @@ Bits bits_at(const std::string& bytes, std::size_t index) {
   return bits;
 }
 
-/// What `make(heights)` makes of the numbers of a file.
+/// Returns what `make(heights)` makes of the numbers of a file.
 template <typename Bits, typename Height, typename Make>
 HeightField from_bytes(const JsonCursor& at, const std::string& bytes, const FieldSize& size,
                        const Make& make) {

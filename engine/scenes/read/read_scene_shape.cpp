@@ -17,7 +17,7 @@ namespace {
 using cases::at_place;
 using cases::JsonCursor;
 
-/// The same mesh with its coordinates in metres.
+/// Returns the same mesh with its coordinates in metres.
 Mesh in_metres(const Mesh& mesh, const LengthUnit& unit) {
   if (unit.metres == 1 && unit.per_metre == 1) return mesh;
   std::vector<Eigen::Vector3d> vertices(mesh.vertices().begin(), mesh.vertices().end());
@@ -35,7 +35,7 @@ std::string hash_of(const std::filesystem::path& path, const std::string& name) 
 
 }  // namespace
 
-/// The path to what "file" names, if its bytes have the "sha256" that may be there.
+/// Returns the path to what "file" names, if its bytes have the "sha256" that may be there.
 std::filesystem::path MeshFiles::find(const JsonCursor& at) {
   const JsonCursor place = at.member("file");
   std::filesystem::path path =
@@ -78,7 +78,7 @@ Mesh MeshFiles::read(const JsonCursor& at) {
 Shape read_scene_shape(const JsonCursor& at, const SceneUnits& units, MeshFiles& files) {
   at.require_keys({"name", "sphere", "box", "capsule", "cylinder", "cone", "ellipsoid",
                    "convex_hull", "half_space", "plane", "mesh", "height_field"});
-  // Cases, which have all other kinds, have none.
+  // Cases, which have all other kinds, have no height fields.
   if (at.has("height_field")) {
     at.require_keys({"name", "height_field"});
     return read_height_field(at.member("height_field"), units, files);

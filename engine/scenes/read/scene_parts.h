@@ -1,6 +1,6 @@
 #pragma once
 
-// How the parts of a scene are read. Private to engine/scenes.
+// Reads the parts of a scene. Private to engine/scenes.
 
 #include <cstddef>
 #include <filesystem>
@@ -15,34 +15,34 @@
 
 namespace graze::scenes {
 
-/// Files of one folder; meshes are loaded once however often a scene names them.
+/// Reads files of one folder; meshes are loaded once however often a scene names them.
 class MeshFiles {
  public:
   explicit MeshFiles(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
-  /// {"file", "unit", "sha256"}
+  /// Reads a mesh by {"file", "unit", "sha256"}.
   Mesh read(const cases::JsonCursor& at);
 
-  /// All bytes of what "file" names, if they have the "sha256" that may be there.
+  /// Returns all bytes of what "file" names, if they have the "sha256" that may be there.
   std::string read_bytes(const cases::JsonCursor& at);
 
  private:
   std::filesystem::path find(const cases::JsonCursor& at);
 
   std::filesystem::path folder_;
-  std::map<std::pair<std::string, std::string>, Mesh> loaded_;  ///< by path and unit
-  std::unordered_map<std::string, std::string> hashes_;         ///< by path
+  std::map<std::pair<std::string, std::string>, Mesh> loaded_;  ///< the meshes by path and unit
+  std::unordered_map<std::string, std::string> hashes_;         ///< the hashes by path
 };
 
-/// Names and where they stand in their list.
+/// Keeps names and where they stand in their list.
 class NameTable {
  public:
   explicit NameTable(const char* what) : what_(what) {}
 
-  /// A new name; throws for one that is empty or there already.
+  /// Adds a new name; throws for one that is empty or there already.
   std::string add(const cases::JsonCursor& at);
 
-  /// The index of a name that is there.
+  /// Returns the index of a name that is there.
   std::size_t find(const cases::JsonCursor& at) const;
 
  private:
@@ -50,17 +50,17 @@ class NameTable {
   std::unordered_map<std::string, std::size_t> indices_;
 };
 
-/// The one shape that an object with a name describes.
+/// Reads the one shape that an object with a name describes.
 Shape read_scene_shape(const cases::JsonCursor& at, const SceneUnits& units, MeshFiles& files);
 
-/// A terrain, of heights in the file or in another one.
+/// Reads a terrain, of heights in the file or in another one.
 HeightField read_height_field(const cases::JsonCursor& at, const SceneUnits& units,
                               MeshFiles& files);
 
 SceneBody read_body(const cases::JsonCursor& at, const SceneUnits& units, const Scene& scene,
                     const NameTable& shapes);
 
-/// A direction of length 1, given by a vector of any other.
+/// Returns a direction of length 1, given by a vector of any other.
 Eigen::Vector3d read_direction(const cases::JsonCursor& at);
 
 }  // namespace graze::scenes

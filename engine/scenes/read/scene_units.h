@@ -1,6 +1,6 @@
 #pragma once
 
-// The units of a scene's file. Private to engine/scenes.
+// Holds the units of a scene's file. Private to engine/scenes.
 
 #include <graze/engine/cases/text/json_cursor.h>
 #include <Eigen/Core>
@@ -27,7 +27,7 @@ struct AngleUnit {
 LengthUnit read_length_unit(const cases::JsonCursor& at);
 AngleUnit read_angle_unit(const cases::JsonCursor& at);
 
-/// How the lengths and angles of a file are meant.
+/// Says how the lengths and angles of a file are meant.
 struct SceneUnits {
   LengthUnit length{"m", 1, 1};
   AngleUnit angle{"degree", 360};

@@ -6,17 +6,17 @@
 
 namespace graze::view {
 
-/// More packed bytes than a browser keeps as one text.
+/// A browser keeps fewer packed bytes than these as one text.
 inline constexpr std::size_t kMostPackedBytes = std::size_t{1} << 28;
 
-/// The bytes by gzip, without a name and a time: the same bytes give the same. Throws InputError
-/// for what packs to more than kMostPackedBytes.
+/// Returns the bytes packed by gzip, without a name and a time: the same bytes give the same.
+/// Throws InputError for what packs to more than kMostPackedBytes.
 std::string gzipped(std::string_view bytes);
 
-/// RFC 4648, with padding.
+/// Returns the bytes in base64 (RFC 4648), with padding.
 std::string base64(std::string_view bytes);
 
-/// As text between tags, or between quotes within one.
+/// Returns the text as it stands between tags, or between quotes within one.
 std::string html_text(std::string_view text);
 
 }  // namespace graze::view

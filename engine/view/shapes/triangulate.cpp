@@ -39,7 +39,9 @@ class Triangulator {
   Triangulation operator()(const Capsule& capsule) const {
     std::vector<ProfilePoint> profile;
     add_arc(-0.5, 0, capsule.radius, -capsule.half_length, profile);
-    if (capsule.half_length == 0) profile.pop_back();  // the upper half begins where it ends
+    if (capsule.half_length == 0)
+      profile.pop_back();  // the upper half begins where the lower one
+                           // ends
     add_arc(0, 0.5, capsule.radius, capsule.half_length, profile);
     return turned(profile);
   }
@@ -78,7 +80,7 @@ class Triangulator {
     return surface;
   }
 
-  /// About the point of the plane that is nearest to the frame's origin.
+  /// Triangulates a square about the point of the plane that is nearest to the frame's origin.
   Triangulation operator()(const HalfSpace& half_space) const {
     const Vector3d middle = half_space.offset * half_space.normal;
     const Vector3d aside = settings_.half_space_extent * half_space.normal.unitOrthogonal();
@@ -98,7 +100,7 @@ class Triangulator {
   Triangulation operator()(const HeightField& field) const { return (*this)(field.mesh()); }
 
  private:
-  /// Points of a circle about (0, z), from one angle to another, in half turns. Its ends at the
+  /// Adds points of a circle about (0, z), from one angle to another, in half turns. Ends at the
   /// axis lie on it.
   void add_arc(double from, double to, double radius, double z,
                std::vector<ProfilePoint>& profile) const {
@@ -112,11 +114,12 @@ class Triangulator {
     }
   }
 
-  /// The profile, from below to above, turned about the z axis. It begins and ends on it.
+  /// Turns the profile, from below to above, about the z axis. It begins and ends on that axis.
   Triangulation turned(std::span<const ProfilePoint> profile) const {
     Triangulation surface;
     const std::uint32_t n = settings_.segments;
-    std::vector<std::uint32_t> first;  // vertex of each ring, of one vertex at the axis
+    std::vector<std::uint32_t> first;  // the first vertex of each ring, which at the axis has one
+                                       // vertex
     for (const ProfilePoint& point : profile) {
       first.push_back(static_cast<std::uint32_t>(surface.vertices.size()));
       for (std::uint32_t k = 0; k < (point.radius == 0 ? 1 : n); ++k) {
@@ -146,7 +149,7 @@ class Triangulator {
 }  // namespace
 
 Triangulation triangulate(const Mesh& mesh) {
-  // Without vertices that no triangle has: they may lie anywhere.
+  // Vertices that no triangle has are left out: they may lie anywhere.
   constexpr std::uint32_t kUnused = std::numeric_limits<std::uint32_t>::max();
   std::vector<std::uint32_t> number(mesh.vertices().size(), kUnused);
   Triangulation surface;

@@ -10,22 +10,23 @@
 
 namespace graze::view {
 
-/// A surface for the eye.
+/// Holds a surface for the eye.
 struct Triangulation {
-  std::vector<Eigen::Vector3d> vertices = {};   ///< all are used
-  std::vector<TriangleIndices> triangles = {};  ///< in the order of the mesh, if it is one
-  bool is_boundless = false;                    ///< stands for what has no end
+  std::vector<Eigen::Vector3d> vertices = {};   ///< the vertices, all of them used
+  std::vector<TriangleIndices> triangles = {};  ///< the triangles, in the order of the mesh, if it
+                                                ///< is one
+  bool is_boundless = false;                    ///< true if it stands for a shape without an end
 
   bool operator==(const Triangulation&) const = default;
 };
 
 struct TriangulationSettings {
-  std::uint32_t segments = 48;    ///< of a circle
-  double half_space_extent = 10;  ///< metres: half the side of the square that stands for a plane
+  std::uint32_t segments = 48;    ///< the number of segments of a circle
+  double half_space_extent = 10;  ///< half the side of the square that stands for a plane, metres
 };
 
-/// Any shape as triangles, which turn counter-clockwise as seen from outside. Those of a mesh are
-/// the mesh's, each with its number.
+/// Return any shape as triangles, which turn counter-clockwise as seen from outside. Those of a
+/// mesh are the mesh's, each with its number.
 Triangulation triangulate(const Shape& shape, const TriangulationSettings& settings);
 Triangulation triangulate(const Mesh& mesh);
 

@@ -10,21 +10,22 @@
 
 namespace graze::view {
 
-/// Numbers of a page times `scale`, a power of two, plus `center` are coordinates in metres: so
-/// floats hold what is tiny, huge or far away.
+/// Says what numbers of a page mean: times `scale`, a power of two, plus `center` they are
+/// coordinates in metres, so that floats hold what is tiny, huge or far away.
 struct NumberFrame {
   Eigen::Vector3d center;
   double scale;
 
-  /// Beyond a float: the largest ones.
+  /// Return the numbers; those beyond a float become the largest ones.
   Eigen::Vector3f numbers(const Eigen::Vector3d& point) const;
   float length(double metres) const;
 };
 
-/// About the middle of a box, so that its numbers are at most 1, or 2 for the largest boxes.
+/// Returns the frame about the middle of a box, so that its numbers are at most 1, or 2 for the
+/// largest boxes.
 NumberFrame number_frame(const Aabb& box);
 
-/// Which of `places` each frame has. Frames share one until a frame stands apart.
+/// Says which of `places` each frame has. Frames share one until a frame stands apart.
 struct FramePlaces {
   std::vector<NumberFrame> places;
   std::vector<std::size_t> of_frame;

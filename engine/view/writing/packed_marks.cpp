@@ -14,7 +14,7 @@ namespace {
 using Eigen::Vector3d;
 using Json = nlohmann::ordered_json;
 
-/// Numbers of frames of different lengths, one after the other.
+/// Keeps numbers of frames, in different counts, one after the other.
 template <typename Number>
 class ListsOfFrames {
  public:
@@ -37,8 +37,8 @@ class ListsOfFrames {
   std::vector<Number> numbers_;
 };
 
-/// Contacts of frames, seven numbers each. What stays as it is from frame to frame stands there
-/// once, number by number, and frames say which they have.
+/// Keeps contacts of frames, seven numbers each. A contact that stays as it is from frame to frame
+/// stands there once, number by number, and frames say which they have.
 class ContactsOfFrames {
  public:
   void add(const Eigen::Vector3f& point, const Eigen::Vector3d& exact_normal, float depth) {
@@ -67,7 +67,8 @@ class ContactsOfFrames {
   static constexpr std::size_t kWidth = 7;
   using Bits = std::array<std::uint32_t, kWidth>;
 
-  /// A normal is drawn, and no number: an eighth of a milliradian is not seen, and packs well.
+  /// Rounds a normal, which is drawn and is no number: an eighth of a milliradian is not seen, and
+  /// packs well.
   static Eigen::Vector3f rounded(const Eigen::Vector3d& normal) {
     constexpr double kSteps = 4096;
     return ((normal * kSteps).array().round() / kSteps).matrix().cast<float>();
@@ -87,7 +88,7 @@ class ContactsOfFrames {
   std::unordered_map<Bits, std::uint32_t, Hash> known_;
 };
 
-/// Lines, points and the like, frame by frame.
+/// Packs lines, points and the like, frame by frame.
 class FrameMarks {
  public:
   void add(const ShownFrame& frame, const NumberFrame& place) {
@@ -136,7 +137,7 @@ class FrameMarks {
   ListsOfFrames<std::uint32_t> pairs_{2};
 };
 
-/// Of each body those frames alone in which some are.
+/// Lists for each body only those frames in which some triangles are marked.
 Json marked_triangles(const ShownView& view, WordArrays& arrays) {
   struct Marked {
     std::vector<std::uint32_t> frames, starts = {0}, list;
@@ -161,7 +162,8 @@ Json marked_triangles(const ShownView& view, WordArrays& arrays) {
   return list;
 }
 
-/// Of each body and level: the middle of a box and its three half axes, in the numbers of the mesh.
+/// Lists for each body and level the middle of a box and its three half axes, in the numbers of the
+/// mesh.
 Json boxes(const ShownView& view, std::span<const NumberFrame> shapes, WordArrays& arrays) {
   Json list = Json::array();
   for (std::size_t b = 0; b < view.bodies.size(); ++b) {

@@ -10,7 +10,7 @@
 
 namespace graze::view {
 
-/// The member "marks" of a page: what is drawn beside bodies, with its numbers in `arrays`.
+/// Returns the member "marks" of a page: what is drawn beside bodies, with its numbers in `arrays`.
 /// `shapes` are the frames of the numbers of meshes.
 nlohmann::ordered_json packed_marks(const ShownView& view, const FramePlaces& places,
                                     std::span<const NumberFrame> shapes, WordArrays& arrays);

@@ -41,7 +41,7 @@ void append(const Eigen::Vector3f& point, std::vector<float>& out) {
   out.insert(out.end(), point.begin(), point.end());
 }
 
-/// Of each coordinate the low word of its double, then the high one.
+/// Returns the low word of each coordinate's double, then the high one.
 std::vector<std::uint32_t> exact_words(const std::vector<Vector3d>& vertices) {
   std::vector<std::uint32_t> words;
   words.reserve(6 * vertices.size());

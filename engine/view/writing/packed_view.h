@@ -6,7 +6,7 @@
 
 namespace graze::view {
 
-/// The bytes that a page unpacks: README.md has their format.
+/// Returns the bytes that a page unpacks: README.md has their format.
 std::string packed_view(const ShownView& view);
 
 }  // namespace graze::view

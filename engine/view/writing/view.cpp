@@ -32,7 +32,7 @@ Aabb bounds_of(const std::vector<Eigen::Vector3d>& vertices) {
   return box;
 }
 
-/// The index of the first that is as `is_it` says; how many there are if none is.
+/// Returns the index of the first shape that is as `is_it` says, and how many there are if none is.
 template <typename IsIt>
 std::size_t place_of(const std::vector<view::ShownShape>& shapes, const IsIt& is_it) {
   return static_cast<std::size_t>(std::find_if(shapes.begin(), shapes.end(), is_it) -
@@ -46,14 +46,14 @@ std::size_t add_surface(view::Triangulation surface, std::optional<Mesh> mesh,
   return shapes.size() - 1;
 }
 
-/// The index of the mesh, which is added unless it is there.
+/// Returns the index of the mesh, which is added unless it is there.
 std::size_t index_of(const Mesh& mesh, std::vector<view::ShownShape>& shapes) {
   const std::size_t at =
       place_of(shapes, [&](const view::ShownShape& known) { return known.mesh == mesh; });
   return at < shapes.size() ? at : add_surface(view::triangulate(mesh), mesh, shapes);
 }
 
-/// Likewise of any shape.
+/// Returns the index of any shape in the same way.
 std::size_t index_of(const Shape& shape, const view::TriangulationSettings& settings,
                      std::vector<view::ShownShape>& shapes) {
   if (const auto* mesh = shape.as<Mesh>()) return index_of(*mesh, shapes);
@@ -123,7 +123,8 @@ std::string View::page() const {
   return bvh::in_standard_arithmetic([&] {
     if (data_->shown.frames.empty()) throw InputError("a view without a frame shows nothing");
     std::string page = view::page_text();
-    // The title comes first in the page: what stands in it is not taken for a place.
+    // The title is filled in last, though it stands first in the page: its text is not taken for a
+    // place.
     fill("{{data}}", view::base64(view::gzipped(view::packed_view(data_->shown))), page);
     fill("{{title}}", view::html_text(data_->shown.settings.title), page);
     return page;

@@ -17,18 +17,19 @@
 
 namespace graze::view {
 
-/// A surface that bodies share.
+/// Holds a surface that bodies share.
 struct ShownShape {
   Triangulation surface;
-  Aabb bounds;                    ///< of the vertices
+  Aabb bounds;                    ///< the box of the vertices
   std::optional<Mesh> mesh = {};  ///< the handle that it was made of
 };
 
 struct ShownBodyData {
   std::string name;
-  std::size_t shape;  ///< index
+  std::size_t shape;  ///< the shape's index
   std::optional<std::array<std::uint8_t, 3>> color;
-  std::map<std::uint32_t, std::vector<Obb>> boxes = {};  ///< by level, in its own frame
+  std::map<std::uint32_t, std::vector<Obb>> boxes = {};  ///< boxes by level, in the body's own
+                                                         ///< frame
 };
 
 struct ShownContact {
@@ -48,22 +49,24 @@ struct ShownLabel {
   std::string text;
 };
 
-/// One picture. Lines are pairs of points.
+/// Holds one picture. Lines are pairs of points.
 struct ShownFrame {
   ViewFrame said;
-  std::map<std::uint32_t, Pose> poses = {};                            ///< by body
-  std::map<std::uint32_t, std::vector<std::uint32_t>> triangles = {};  ///< marked, by body
+  std::map<std::uint32_t, Pose> poses = {};  ///< poses by body
+  std::map<std::uint32_t, std::vector<std::uint32_t>> triangles =
+      {};  ///< the marked triangles by body
   std::vector<Eigen::Vector3d> curves = {};
   std::vector<Eigen::Vector3d> lines = {};
   std::vector<ShownContact> contacts = {};
   std::vector<ShownGap> gaps = {};
   std::vector<ShownLabel> labels = {};
   std::vector<Eigen::Vector3d> points = {};
-  std::vector<ViewPlane> planes = {};                            ///< with unit normals
-  std::set<std::pair<std::uint32_t, std::uint32_t>> pairs = {};  ///< of bodies, the lower first
+  std::vector<ViewPlane> planes = {};                            ///< planes with unit normals
+  std::set<std::pair<std::uint32_t, std::uint32_t>> pairs = {};  ///< pairs of bodies, the lower
+                                                                 ///< first
 };
 
-/// All of a view.
+/// Holds all of a view.
 struct ShownView {
   ViewSettings settings;
   std::vector<ShownShape> shapes = {};

@@ -12,13 +12,13 @@ namespace graze {
 struct View::Data {
   view::ShownView shown;
 
-  /// That was begun last; one begins if none was.
+  /// Returns the frame that was begun last; one begins if none was.
   view::ShownFrame& frame() {
     if (shown.frames.empty()) shown.frames.push_back({.said = {}});
     return shown.frames.back();
   }
 
-  /// "frame 3" or "frame 3, pose 3".
+  /// Returns "frame 3" or "frame 3, pose 3".
   std::string where() const {
     if (shown.frames.empty()) return "frame 0";
     const std::string& label = shown.frames.back().said.label;

@@ -12,11 +12,11 @@ struct Plane {
   Vec3 out;  ///< of any length
 };
 
-/// Where a plane cuts a polygon: along the line in which it meets the polygon's own plane.
+/// Says where a plane cuts a polygon: along the line in which it meets the polygon's own plane.
 struct FaceCut {
-  Vec3 direction;                                         ///< of that line, of any length
-  double from = std::numeric_limits<double>::infinity();  ///< least of `direction` . point
-  double to = -std::numeric_limits<double>::infinity();   ///< greatest
+  Vec3 direction;  ///< the direction of that line, of any length
+  double from = std::numeric_limits<double>::infinity();  ///< the least of `direction` . point
+  double to = -std::numeric_limits<double>::infinity();   ///< the greatest of `direction` . point
 
   FaceCut(const ClippedFace& face, const double* height, const Vec3& along) : direction(along) {
     for (int i = 0; i < face.count; ++i) {
@@ -35,7 +35,7 @@ struct FaceCut {
   }
 };
 
-/// Edges that lie in the plane, to so much, are not cut by it: their corners count as on it. Those
+/// Edges that lie in the plane, to `within`, are not cut by it: their corners count as on it. Those
 /// in front of it slide onto it, along the face. What is not behind it by more stays as it is.
 void lay_edges(ClippedFace& face, const Vec3& normal, const Plane& plane, double within,
                bool is_closed, double (&height)[ClippedFace::kMostCorners]) {
@@ -67,8 +67,8 @@ void lay_edges(ClippedFace& face, const Vec3& normal, const Plane& plane, double
   }
 }
 
-/// Puts what is not in front of the plane into `kept`, which is another face. False if that is all
-/// of the face, and then `kept` says nothing.
+/// Puts the part that is not in front of the plane into `kept`, which is another face. False if
+/// that is all of the face, and then `kept` says nothing.
 bool cut(ClippedFace& face, const Vec3& normal, const Plane& plane, std::uint32_t edge,
          double within, bool is_closed, ClippedFace& kept) {
   const int n = face.count;
@@ -128,8 +128,8 @@ ClippedFace clip(const ContactFace& face, const ContactFace& sides, const Vec3& 
 }
 
 bool is_sharp(const ContactFace& face) {
-  // What is off edges by 2^-46 of the scale lies past a corner of this angle by 2^-34 of it at
-  // most.
+  // A point that is off edges by 2^-46 of the scale lies past a corner of this angle by 2^-34 of it
+  // at most.
   constexpr double kSharp = 0x1p-12;
   if (face.count < 3) return false;
   Vec3 before = face.corner[0] - face.corner[face.count - 1];

@@ -13,9 +13,10 @@
 namespace graze::narrowphase {
 namespace {
 
-// Below this share of the smaller set's size, or this one of the width of the contact, which is how
-// far from the first of its points any other lies, contacts of faces nearly say how deep the two
-// are: far more than EPA's tolerance, far less than anything modelled.
+// Contacts of faces nearly say how deep the two are where the deepest point is deeper by less than
+// one of these shares: of the smaller set's size, or of the width of the contact, which is how far
+// from the first of its points any other lies. Both are far more than EPA's tolerance, far less
+// than anything modelled.
 constexpr double kSameDepth = 1e-6, kSameDepths = 1e-5;
 
 // Contacts are in one point where they are within this share of the smaller set's size.
@@ -25,7 +26,7 @@ constexpr double kOnePoint = 1e-6;
 // kTouchTolerance of engine/world allows a hit to be.
 constexpr double kTouching = 0x1p-34;
 
-// As a share of that, more than rounding: 2^-46 of the scale.
+// This share of that length is 2^-46 of the scale, more than rounding.
 constexpr double kSlack = 0x1p-12;
 
 // A face takes part if its normal is within 8 degrees of the contact's.
@@ -40,7 +41,7 @@ constexpr double kOneLine = 0.02;
 
 enum class Reference { A, B, None };
 
-/// Of two sets of one size the one whose face cuts the other's, chosen by where the normal leads,
+/// Chooses of two sets of one size the one whose face cuts the other's, by where the normal leads,
 /// because which of the two is called A may change with each step. No normal along an axis or
 /// midway between axes is near where this choice changes.
 Reference by_size(const Core& a, const Core& b, const Vec3& normal) {
@@ -49,8 +50,8 @@ Reference by_size(const Core& a, const Core& b, const Vec3& normal) {
   return dot(normal, {1, 2, 4}) < 0 ? Reference::B : Reference::A;
 }
 
-/// Which face cuts the other: the one that is more nearly at right angles to the normal; of equals
-/// the larger set's, so that it stays the same from step to step.
+/// Chooses which face cuts the other: the one that is more nearly at right angles to the normal,
+/// and of equals the larger set's, so that it stays the same from step to step.
 Reference choose(const ContactFace& face_a, const ContactFace& face_b, const Core& a, const Core& b,
                  const Vec3& normal) {
   const double of_a = face_a.count > 2 ? dot(face_a.normal, normal) : -1;
@@ -74,7 +75,7 @@ std::uint64_t feature(std::uint32_t face, std::uint32_t part) {
   return (static_cast<std::uint64_t>(face) << 32) | part;
 }
 
-// Stands for a whole face where a corner or an edge of it would stand.
+// This number stands for a whole face where a corner or an edge of it would stand.
 constexpr std::uint32_t kWhole = 0x20000;
 
 struct Tolerances {
@@ -83,8 +84,8 @@ struct Tolerances {
   double margin;
 };
 
-/// As if A were grown by the margin along the normal. Without one not even a sign of nought
-/// changes.
+/// Moves a contact as if A were grown by the margin along the normal. Without a margin not even a
+/// sign of nought changes.
 void grow(ContactPoint& contact, double margin) {
   if (!(margin > 0)) return;
   contact.point_a = contact.point_a + contact.normal * margin;
@@ -122,14 +123,15 @@ bool move_within(const ContactFace& incident, const ContactFace& reference, cons
   return !is_beyond_an_edge(incident, own, touching);
 }
 
-/// Whether polygons of such a set stand for discs.
+/// True if polygons of such a set stand for discs.
 bool is_round(CoreKind kind) {
   return kind == CoreKind::Cylinder || kind == CoreKind::Cone;
 }
 
-/// The clipped corners of the incident face that are behind the reference's, whose outward sense
-/// along the normal is `sign`: 1 if it is A's. What is clipped along the normal lies, where that
-/// leads, in both faces. Whether these are all the corners of what the two have in common.
+/// Adds the clipped corners of the incident face that are behind the reference's, whose outward
+/// sense along the normal is `sign`: 1 if it is A's. What is clipped along the normal lies, where
+/// that leads, in both faces. Returns whether these are all the corners of what the two have in
+/// common.
 bool add_clipped(const FaceOf& incident, const FaceOf& reference, const Penetration& penetration,
                  double sign, const Tolerances& tolerance, std::vector<ContactPoint>& contacts) {
   const ContactFace& sides = reference.face;
@@ -192,14 +194,14 @@ struct FacePair {
   ContactFace of_a, of_b;
 };
 
-/// One point of each, where the two meet once B is moved out by the penetration.
+/// Returns one point of each set, where the two meet once B is moved out by the penetration.
 MeetingPoints meeting_of(const Core& a, const Core& b, const Parting& parting) {
   const Penetration& penetration = parting.penetration;
   if (parting.has_witnesses) return {penetration.point_a, penetration.point_b};
   return meeting_points(a, b, penetration);
 }
 
-/// The same along the normal, to rounding; nothing if that line passes a set.
+/// Returns the same points along the normal, to rounding, and nothing if that line passes a set by.
 std::optional<MeetingPoints> ends_of_meeting(const Core& a, const Core& b, const Parting& parting) {
   const MeetingPoints met = meeting_of(a, b, parting);
   const Vec3& normal = parting.penetration.normal;
@@ -208,18 +210,18 @@ std::optional<MeetingPoints> ends_of_meeting(const Core& a, const Core& b, const
   return ends_on_line(a, b, normal, met);
 }
 
-/// What contacts of faces tell of what two sets have in common.
+/// Says how much contacts of faces tell of what two sets have in common.
 enum class Told {
-  Something,  ///< as of edges, or nothing
+  Something,  ///< part of it, as contacts of edges do, or nothing
   OfPolygons,
   AllOfPolygons
 };
 
-/// What contacts of faces leave out.
+/// Says what contacts of faces leave out.
 struct LeftOut {
-  double deepest;  ///< of the contacts, >= 0, with the margin
-  double enough;   ///< nothing is deeper by more than rounding; without the margin
-  Told told;       ///< by them
+  double deepest;  ///< the depth of the deepest contact, >= 0, with the margin
+  double enough;   ///< the depth that nothing exceeds by more than rounding; without the margin
+  Told told;       ///< what the contacts tell
 };
 
 double depth_between(const MeetingPoints& ends, const Vec3& normal) {
@@ -230,9 +232,10 @@ std::optional<MeetingPoints> deepest_of(const FacePair& faces, const Vec3& norma
   return deepest_of_faces({faces.of_a, faces.a}, {faces.of_b, faces.b}, normal);
 }
 
-/// The deepest point of two polygons. What of the one is deepest may lie beside the other, and then
-/// the two reach past each other by less than they do along the normal: deepest where they are
-/// nearest once they are moved apart. Nothing if no point is deeper than the contacts `told`.
+/// Finds the deepest point of two polygons. What is deepest of the one may lie beside the other,
+/// and then the two reach past each other by less than they do along the normal: they are deepest
+/// where they are nearest once they are moved apart. Returns nothing if no point is deeper than the
+/// contacts `told`.
 std::optional<MeetingPoints> deepest_ends(const FacePair& faces, const Parting& parting,
                                           double enough, Told told) {
   const Core &a = faces.a, &b = faces.b;
@@ -301,9 +304,9 @@ Told add_of_faces(const FacePair& faces, const Penetration& penetration, double 
   return are_all ? Told::AllOfPolygons : Told::OfPolygons;
 }
 
-/// Where a rim meets an edge or another rim, which parts of the polygons that stand for both are
-/// met there is rounding. So of contacts in that point one is left, which is called after the
-/// point.
+/// Where a rim meets an edge or another rim, rounding decides which parts of the polygons that
+/// stand for both are met there. So one of the contacts in that point is left, and it is named
+/// after the point.
 void name_meeting(const FacePair& faces, const Parting& parting, std::size_t first,
                   std::vector<ContactPoint>& contacts) {
   const Core &a = faces.a, &b = faces.b;
@@ -319,7 +322,7 @@ void name_meeting(const FacePair& faces, const Parting& parting, std::size_t fir
   contacts.erase(std::remove_if(met + 1, contacts.end(), is_there), contacts.end());
 }
 
-/// Nothing faces anything where one of them has no face at all.
+/// Returns the faces that face each other: none where one of the two has no face at all.
 FacePair faces_of(const Core& a, const Core& b, const Vec3& normal) {
   if (!has_face(a) || !has_face(b)) return {a, b, {}, {}};
   return {a, b, face_along(a, normal), face_along(b, -normal)};
@@ -346,7 +349,7 @@ void add_contact_points(const Core& a, const Core& b, const Parting& parting,
     const Vec3 across = middle_of(contacts[i]) - middle_of(contacts[before]);
     square = std::max(square, dot(across, across));
   }
-  // What the corners of a face leave out, above all of a round one, is the deepest point itself.
+  // Above all for a round face, what its corners leave out is the deepest point itself.
   const double depth = grown_depth(parting.penetration, margin), size = smaller_size(a, b);
   const auto enough = [&] { return parting.penetration.depth - kTouching * pair_scale(a, b); };
   if (deepest >= 0 &&

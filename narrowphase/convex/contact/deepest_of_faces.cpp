@@ -14,7 +14,7 @@ constexpr double kOnRim = 0x1p-40;
 // A face that leans from the normal by more says too little about where it is.
 constexpr double kLeastFacing = 0.125;
 
-/// In the plane of a disc, in units of its radius.
+/// A place in the plane of a disc, in units of its radius.
 struct Flat {
   double x, y;
 };
@@ -47,7 +47,7 @@ bool has_sharp_corner(const FaceOf& of) {
   return of.core.kind != CoreKind::Box && is_sharp(of.face);
 }
 
-/// A disc, and others as they are seen in its plane along a direction.
+/// Holds a disc, and sees other faces in its plane along a direction.
 class Disc {
  public:
   Disc(const FaceOf& of, const Vec3& along)
@@ -74,13 +74,13 @@ class Disc {
 
  private:
   Vec3 normal_;
-  Vec3 along_;  ///< of such a length that it leads out of the plane by 1
+  Vec3 along_;  ///< a vector of such a length that it leads out of the plane by 1
   double radius_;
   Vec3 axis_u_, axis_v_;
   Vec3 centre_;
 };
 
-/// The best of the places that are offered, by how far they are along a direction.
+/// Keeps the best of the places that are offered, by how far they are along a direction.
 class Farthest {
  public:
   explicit Farthest(const Flat& direction) : direction_(direction) {}
@@ -106,7 +106,7 @@ bool is_in_polygon(std::span<const Flat> corners, const Flat& place) {
   return (least < 0) != (most > 0);
 }
 
-/// Of the unit disc and a polygon the place that is farthest along a unit direction.
+/// Returns the place in both the unit disc and a polygon that is farthest along a unit direction.
 std::optional<Flat> farthest_in_polygon(std::span<const Flat> corners, const Flat& direction) {
   if (is_in_polygon(corners, direction)) return direction;
   Farthest farthest(direction);
@@ -115,8 +115,8 @@ std::optional<Flat> farthest_in_polygon(std::span<const Flat> corners, const Fla
     const Flat offset = corners[i + 1 == corners.size() ? 0 : i + 1] - from;
     const double length = std::sqrt(dot(offset, offset));
     if (!(length > 0)) continue;
-    // By where its line is nearest to the middle: of corners that are a million radii away the
-    // roots of a square equation would be off by all of the disc.
+    // An edge is met by where its line is nearest to the middle: for corners that are a million
+    // radii away the roots of a square equation would be off by all of the disc.
     const Flat along = offset * (1 / length), aside = across(along);
     const Flat nearest = aside * dot(from, aside);
     const double inner = 1 - dot(nearest, nearest);
@@ -130,12 +130,12 @@ std::optional<Flat> farthest_in_polygon(std::span<const Flat> corners, const Fla
   return farthest.best();
 }
 
-/// A disc as it is seen beside another: nearly a circle.
+/// Holds a disc as it is seen beside another: nearly a circle.
 struct Ellipse {
   Flat centre, u, v;
 
   double area() const { return cross(u, v); }
-  /// An offset from its centre as it is in its own plane, in units of its radius.
+  /// Returns an offset from its centre as it is in its own plane, in units of its radius.
   Flat own(const Flat& offset) const {
     return Flat{cross(offset, v), cross(u, offset)} * (1 / area());
   }
@@ -150,7 +150,8 @@ struct Ellipse {
   }
 };
 
-/// Where the unit circle crosses the rim of an ellipse, near a place on it: by Newton's method.
+/// Returns where the unit circle crosses the rim of an ellipse, near a place on it, by Newton's
+/// method.
 std::optional<Flat> on_both_rims(const Ellipse& other, Flat place) {
   constexpr int kMostSteps = 8;
   for (int i = 0; i < kMostSteps; ++i) {
@@ -165,7 +166,7 @@ std::optional<Flat> on_both_rims(const Ellipse& other, Flat place) {
   return std::nullopt;
 }
 
-/// Of the unit disc and an ellipse the place that is farthest along a unit direction.
+/// Returns the place in both the unit disc and an ellipse that is farthest along a unit direction.
 std::optional<Flat> farthest_in_ellipse(const Ellipse& other, const Flat& direction) {
   if (other.has(direction)) return direction;
   const Flat its = other.farthest(direction);
@@ -198,16 +199,17 @@ std::optional<Flat> farthest_in_face(const FaceOf& other, const Disc& disc, cons
   return farthest_in_polygon({corners, static_cast<std::size_t>(other.face.count)}, direction);
 }
 
-/// Where a line along the normal through a point meets the plane of a face.
+/// Returns where a line along the normal through a point meets the plane of a face.
 Vec3 on_plane(const ContactFace& face, const Vec3& point, const Vec3& normal) {
   return point + normal * (dot(face.normal, face.corner[0] - point) / dot(face.normal, normal));
 }
 
-/// The place on a round face, and the point of the other over it.
+/// Returns the deepest place on a round face, and the point of the other over it.
 std::optional<MeetingPoints> deepest_of_disc(const FaceOf& round, const FaceOf& other,
                                              const Vec3& normal) {
   const Disc disc(round, normal);
-  // How the depth grows across the disc, to a factor: away from where the other's face leans.
+  // This is how the depth grows across the disc, to a factor: away from where the other's face
+  // leans.
   const Flat slope{-dot(other.face.normal, disc.u()), -dot(other.face.normal, disc.v())};
   const double steep = std::sqrt(dot(slope, slope));
   if (!(steep > 0)) return std::nullopt;
@@ -217,7 +219,8 @@ std::optional<MeetingPoints> deepest_of_disc(const FaceOf& round, const FaceOf& 
   return MeetingPoints{point, on_plane(other.face, point, normal)};
 }
 
-/// How far a point is beyond an edge of a polygon, as it is seen along a direction; to a factor.
+/// Tells how far a point is beyond an edge of a polygon, as it is seen along a direction, to a
+/// factor.
 class PolygonEdges {
  public:
   PolygonEdges(const ContactFace& face, const Vec3& along) : face_(face) {
@@ -242,7 +245,7 @@ class PolygonEdges {
   Vec3 out_[ContactFace::kMostCorners];
 };
 
-/// The corner that is farthest along a direction.
+/// Returns the corner that is farthest along a direction.
 const Vec3& farthest_corner(const ContactFace& face, const Vec3& direction) {
   int best = 0;
   double most = dot(face.corner[0], direction);
@@ -253,7 +256,7 @@ const Vec3& farthest_corner(const ContactFace& face, const Vec3& direction) {
   return face.corner[best];
 }
 
-/// What of an edge lies between the sides of a polygon, as shares of it.
+/// Holds the part of an edge that lies between the sides of a polygon, as shares of the edge.
 struct Within {
   double first = 0, last = 1;
 
@@ -267,11 +270,11 @@ struct Within {
   }
 };
 
-/// The place on B that is deepest is a corner of A, if that is over B, or on an edge of B.
+/// Finds the deepest place. On B it is a corner of A, if that is over B, or on an edge of B.
 std::optional<MeetingPoints> deepest_of_polygons(const ContactFace& a, const ContactFace& b,
                                                  const Vec3& normal) {
   const double facing_a = dot(a.normal, normal), facing_b = dot(b.normal, normal);
-  // How the depth grows across the normal.
+  // This is how the depth grows across the normal.
   const Vec3 slope = b.normal * (1 / facing_b) - a.normal * (1 / facing_a);
   const Vec3& of_a = farthest_corner(a, slope);
   if (PolygonEdges(b, normal).has(of_a)) return MeetingPoints{of_a, on_plane(b, of_a, normal)};
@@ -292,7 +295,7 @@ std::optional<MeetingPoints> deepest_of_polygons(const ContactFace& a, const Con
   return MeetingPoints{on_plane(a, *best, normal), *best};
 }
 
-/// How much a plane leans from one across a normal: the sine between the two.
+/// Returns how much a plane leans from one across a normal: the sine between the two.
 double lean_of(const Vec3& plane, const Vec3& normal) {
   return length(cross(plane, normal));
 }
@@ -316,8 +319,8 @@ std::optional<MeetingPoints> deepest_of_faces(const FaceOf& a, const FaceOf& b,
 }
 
 // Past an edge of A the depth falls by what the next face leans more than this one, and rises by no
-// more than it does within both: by what the two lean from each other, past a corner by so much
-// more as it is sharp.
+// more than it does within both: by what the two lean from each other, and past a corner by more,
+// the sharper it is.
 bool are_deepest(const FaceOf& a, const FaceOf& b, const Vec3& normal) {
   constexpr double kTimes = 8;
   const double leans = lean_of(a.face.normal, normal) + lean_of(b.face.normal, normal);

@@ -7,15 +7,15 @@
 
 namespace graze::narrowphase {
 
-/// Of two polygons that face each other along a unit normal from A to B: the points of both on the
-/// line along it on which A reaches past B farthest. What is a cap of a cylinder or a cone's base
-/// counts as the disc that it is. Nothing if no such line meets both, if corners of one are too
-/// sharp or too uneven to say, or if rims that cross are not found to.
-/// Of two polygons O(n m) for n and m corners, with a disc O(n), of two discs O(1).
+/// Takes two polygons that face each other along a unit normal from A to B, finds the line along it
+/// on which A reaches past B farthest, and returns the points of both there. A cap of a cylinder,
+/// or a cone's base, counts as the disc that it is. Returns nothing if no such line meets both, if
+/// corners of one are too sharp or too uneven to say, or if rims that cross are not found to. Takes
+/// O(n m) for two polygons of n and m corners, O(n) for one and a disc, O(1) for two discs.
 std::optional<MeetingPoints> deepest_of_faces(const FaceOf& a, const FaceOf& b, const Vec3& normal);
 
-/// Whether nothing beside these faces is deeper than they are: rounded edges may be, and faces of a
-/// hull that lean from one of its own by little more than the two lean from each other.
+/// True if nothing beside these faces is deeper than they are. Rounded edges may be, and so may
+/// faces of a hull that lean from one of its own by little more than the two lean from each other.
 bool are_deepest(const FaceOf& a, const FaceOf& b, const Vec3& normal);
 
 }  // namespace graze::narrowphase

@@ -9,9 +9,9 @@
 namespace graze::narrowphase {
 namespace {
 
-// A set is far larger than another that is less than this share of it. Points that are so near to
-// the surface, as a share of the scale, are on it; and what is further from it than the other share
-// is of another part of it.
+// A set is far larger than another whose size is less than the first share of its own. Points that
+// are nearer to the surface than the second share of the scale are on it, and a point further away
+// belongs to another part of it.
 constexpr double kFarLarger = 0x1p-16;
 constexpr double kOnSurface = 0x1p-34;
 constexpr double kNearEnough = 0x1p-30;
@@ -26,8 +26,8 @@ Core shifted(Core core, const Vec3& by) {
   return core;
 }
 
-/// The outermost point of a set on the line through a point along a unit direction; nothing if the
-/// line misses the set, or the set is a triangle or points of which no hull is known.
+/// Returns the outermost point of a set on the line through a point along a unit direction; nothing
+/// if the line misses the set, or the set is a triangle or points of which no hull is known.
 std::optional<Vec3> end_on_line(const Core& core, const Vec3& point, const Vec3& out) {
   if (core.kind == CoreKind::Triangle) return std::nullopt;
   if (core.kind == CoreKind::Points && core.hull == nullptr) return std::nullopt;
@@ -38,8 +38,8 @@ std::optional<Vec3> end_on_line(const Core& core, const Vec3& point, const Vec3&
   return start - out * hit->distance;
 }
 
-/// The farthest point of one of the two sets along a normal from A to B, and where the line through
-/// it leaves the other; of that one the point at hand if the line misses it.
+/// Returns the farthest point of one of the two sets along a normal from A to B, and where the line
+/// through it leaves the other set; if the line misses that, the point at hand stays.
 MeetingPoints of_farthest(const Core& a, const Core& b, bool is_of_a, const Vec3& normal,
                           MeetingPoints met) {
   Vec3& farthest = is_of_a ? met.on_a : met.on_b;
@@ -55,7 +55,7 @@ bool is_smaller(const Core& a, const Core& b) {
   return a.bounding_radius + a.radius < b.bounding_radius + b.radius;
 }
 
-/// The side of a capsule, a cylinder or a cone beside the line of it that faces a normal.
+/// Describes the side of a capsule, a cylinder or a cone beside the line of it that faces a normal.
 class RoundSide {
  public:
   RoundSide(const FaceOf& of, const Vec3& normal)
@@ -72,10 +72,10 @@ class RoundSide {
   const Vec3& across() const { return across_; }
   double off(const Vec3& point) const { return dot(across_, point - from_); }
 
-  /// Where the surface is on the line through a point along the normal, or as near as it has an end
-  /// across that line; false if the line passes the side. So far off its own line a round section
-  /// is lower by its drop, which on a side that leans is another section's. A cylinder's or a
-  /// capsule's is as round; of a cone the third is nearly the same.
+  /// Finds where the surface is on the line through a point along the normal, or at its end if it
+  /// ends before that; false if the line passes the side by. That far off its own line a round
+  /// section is lower by its drop, which on a side that leans is another section's. A cylinder's or
+  /// a capsule's is as round; of a cone the third is nearly the same.
   bool end_beside(const Vec3& point, Vec3& end) const {
     const Vec3 offset = point - from_;
     const double off = dot(across_, offset);
@@ -95,7 +95,8 @@ class RoundSide {
     return true;
   }
 
-  /// How far a point is from the line through another along the normal, in the side's direction.
+  /// Returns how far a point is from the line through another along the normal, in the side's
+  /// direction.
   double ahead(const Vec3& end, const Vec3& point) const { return dot(end - point, ahead_); }
   Vec3 moved(const Vec3& point, double ahead) const { return point + ahead_ * ahead; }
 
@@ -120,17 +121,17 @@ bool lie_along(const Penetration& penetration, double tolerance) {
 namespace {
 
 // Moved out by the depth and a clearance, the two are nowhere nearer than the clearance, and
-// somewhere no further apart than that and what the depth is more than the least. So are their
-// nearest points, along the normal, and across as a leg of that triangle: 2^-17 of the smaller size
-// at most, of the wider clearance.
+// somewhere no further apart than that plus the excess of the depth over the least. So are their
+// nearest points, along the normal, and across it as a leg of that triangle: 2^-17 of the smaller
+// size at most, of the wider clearance.
 //
 // A core's point that is nearest to another core is as far from a plane that supports the first as
 // the gap's bounds are from each other, if that plane is the one of the lower bound. Moved out
 // along its normal it stays so, whatever the radius; the line between the points would turn it.
 //
-// That near, a search about round sets may end open, and a wider clearance help. Else the points
-// are moved along the normal, to where the line through one of them leaves each set: unless that
-// is far from where they are, as where the line lies in a face. Where the one set is so small that
+// That near, a search about round sets may end open, and a wider clearance may help. Else the
+// points are moved along the normal, to where the line through one of them leaves each set: unless
+// that is far from where they are, as where the line lies in a face. Where one set is so small that
 // rounding of the other's points is more than any clearance, what was found is within that of both
 // surfaces as well.
 MeetingPoints by_clearance(const Core& a, const Core& b, const Penetration& penetration) {
@@ -154,7 +155,7 @@ MeetingPoints by_clearance(const Core& a, const Core& b, const Penetration& pene
   return met;
 }
 
-/// How far the vector from B's point to A's is from the penetration.
+/// Returns how far the vector from B's point to A's is from the penetration.
 double off_penetration(const MeetingPoints& met, const Penetration& penetration) {
   return length(met.on_a - met.on_b - penetration.normal * penetration.depth);
 }
@@ -203,15 +204,16 @@ std::optional<MeetingPoints> ends_on_line(const Core& a, const Core& b, const Ve
   return best;
 }
 
-// Corners of one plane are off it by 24 u of the bounding radius, as hull_ray.cpp adds up, which is
-// less than kBeyondRounding of it.
+// Corners of one plane are off it by 24 u of the bounding radius, as hull_ray.cpp adds up, and that
+// is less than kBeyondRounding of it.
 bool is_uneven(const FaceOf& of) {
   return of.face.unevenness > kBeyondRounding * of.core.bounding_radius;
 }
 
-// A line through an edge of the polygon may miss the hull by rounding: kBeyondRounding of the
-// bounding radius towards the middle of the face it does not, and the surface is as near there as
-// at the edge but for eight times that, as no facet of the face leans by more than 8 degrees.
+// A line through an edge of the polygon may miss the hull by rounding. One that is kBeyondRounding
+// of the bounding radius nearer to the middle of the face does not, and the surface is as near
+// there as at the edge but for eight times that, as no facet of the face leans by more than 8
+// degrees.
 std::optional<Vec3> onto_surface(const FaceOf& of, const Vec3& point, const Vec3& out) {
   if (!is_uneven(of)) return point;
   const Core& core = of.core;
@@ -230,7 +232,8 @@ std::optional<Vec3> onto_surface(const FaceOf& of, const Vec3& point, const Vec3
   return std::nullopt;
 }
 
-// By triangles, as the normal of a needle says little about where its far end is.
+// The polygon is asked by triangles, as the normal of a needle says little about where its far end
+// is.
 bool lies_on(const FaceOf& of, const Vec3& point, double within) {
   if (is_uneven(of)) return true;
   const ContactFace& face = of.face;
@@ -258,7 +261,7 @@ bool move_to_deepest(const FaceOf& incident, const FaceOf& reference, double sig
   Vec3 met, own;
   for (int i = 0; i < 3; ++i) {
     if (!met_side.end_beside(point, met) || !own_side.end_beside(point, own)) return false;
-    // Past the end of a side that leans both step back.
+    // Past the end of a side that leans both points step back.
     const double of_met = met_side.ahead(met, point), of_own = met_side.ahead(own, point);
     const double most = std::abs(of_met) > std::abs(of_own) ? of_met : of_own;
     if (!(std::abs(most) > touching)) break;

@@ -7,54 +7,56 @@
 
 namespace graze::narrowphase {
 
-/// The size of the smaller of two sets, by which lengths are measured.
+/// Returns the size of the smaller of two sets, by which lengths are measured.
 double smaller_size(const Core& a, const Core& b);
 
-/// A point of either surface, where the two meet.
+/// Holds a point of either surface, where the two meet.
 struct MeetingPoints {
   Vec3 on_a;
   Vec3 on_b;
 };
 
-/// Where two sets meet once B is moved out by a penetration that parts them: points of the surfaces
-/// as they lie, so that on_a - on_b is that displacement. That is to 2^-17 of the smaller size, if
-/// the depth is the least to kDepthTolerance, and else to as much more as the depth is more.
+/// Returns where two sets meet once B is moved out by a penetration that parts them: points of the
+/// surfaces as they lie, so that on_a - on_b is that displacement. It is right to 2^-17 of the
+/// smaller size if the depth is the least to kDepthTolerance, and else to as much more as the depth
+/// is more.
 MeetingPoints meeting_points(const Core& a, const Core& b, const Penetration& penetration);
 
-/// Of where two sets meet, by a point of either, the line along the normal on which they reach past
-/// each other farther, and its ends on both. Nothing if each of the two lines misses the other set,
-/// or no hull is known.
+/// Takes where two sets meet, as a point of either; of the two lines through these along the normal
+/// it finds the one on which the sets reach past each other farther, and returns its ends on both.
+/// Returns nothing if each of the two lines misses the other set, or no hull is known.
 std::optional<MeetingPoints> ends_on_line(const Core& a, const Core& b, const Vec3& normal,
                                           const MeetingPoints& met);
 
-/// Whether the points of a penetration, one of each set, lie along its normal: not so of edges that
-/// pass each other beyond an end.
+/// True if the points of a penetration, one of each set, lie along its normal. Those of edges that
+/// pass each other beyond an end do not.
 bool lie_along(const Penetration& penetration, double tolerance);
 
-/// By how much more than the penetration B is moved out before the nearest points are taken, as a
-/// share of the smaller size.
+/// The share of the smaller size by which B is moved out further than the penetration before the
+/// nearest points are taken.
 inline constexpr double kClearance = 0x1p-20;
 
-/// How far aside of the penetration the vector between them may be, as a share of it: see above.
+/// How far aside of the penetration the vector between the nearest points may be, as a share of the
+/// smaller size.
 inline constexpr double kMostAside = 0x1p-17;
 
-/// A face that takes part in a contact, and whose it is.
+/// Holds a face that takes part in a contact, and the set whose it is.
 struct FaceOf {
   const ContactFace& face;
   const Core& core;
 };
 
-/// Whether the surface may be off the plane of a face by more than rounding: of a hull, whose faces
-/// are of corners that lie in one plane to kContactFlatness.
+/// True if the surface may be off the plane of a face by more than rounding. Only a hull's may be:
+/// its faces are made of corners that lie in one plane to kContactFlatness.
 bool is_uneven(const FaceOf& of);
 
-/// A point of a face's polygon or its plane, moved along `out`, a unit direction within a right
-/// angle of the face's normal, to where the set's surface is, if the face is uneven. Nothing if the
-/// line passes the set, as it may beside an edge of a needle.
+/// Returns a point of a face's polygon or its plane moved along `out`, a unit direction within a
+/// right angle of the face's normal, to where the set's surface is, if the face is uneven. Returns
+/// nothing if the line passes the set by, as it may beside an edge of a needle.
 std::optional<Vec3> onto_surface(const FaceOf& of, const Vec3& point, const Vec3& out);
 
-/// Whether a point is on a face's polygon or segment, to `within`, metres. An uneven face's are put
-/// on the surface by onto_surface(): of them this is taken for granted.
+/// True if a point is on a face's polygon or segment, to `within`, metres. It is taken for granted
+/// of points of an uneven face, which onto_surface() puts on the surface.
 bool lies_on(const FaceOf& of, const Vec3& point, double within);
 
 /// Moves a contact of two round sides, whose lines cross at a small angle, from the line of the

@@ -18,7 +18,7 @@ constexpr double kWellKnown = 0x1p-10;
 // A face next to a normal is one that leans by 8 degrees at most.
 constexpr double kNextFace = 0.99;
 
-// Witnesses of two boxes are so near to the segment between them, as a share of the scale.
+// Witnesses of two boxes are this near to the segment between them, as a share of the scale.
 constexpr double kTouchingBoxes = 0x1p-34;
 
 /// Replaces the normal by that of a face next to it, if that costs no depth beyond what is allowed:
@@ -39,8 +39,8 @@ void prefer_face_normal(const Core& a, const Core& b, Penetration& penetration) 
   }
 }
 
-/// Along the line between the nearest points of cores that are apart, or nearly so. False if the
-/// depth along it is not the least, to depth_tolerance().
+/// Parts the two along the line between the nearest points of cores that are apart, or nearly so.
+/// False if the depth along it is not the least, to depth_tolerance().
 bool part_along_gap(const Core& a, const Core& b, const CoreGap& gap, Parting& parting) {
   const double radii = a.radius + b.radius;
   const double scale = pair_scale(a, b);
@@ -58,17 +58,17 @@ bool part_along_gap(const Core& a, const Core& b, const CoreGap& gap, Parting& p
   return true;
 }
 
-/// Whether the depth is proved to be the least, to depth_tolerance(). Cores that are apart are no
+/// True if the depth is proved to be the least, to depth_tolerance(). Cores that are apart are no
 /// further apart than their gap says: so the depth is no less than the radii less that, whatever
-/// searches for cores that overlap could prove. Where it is too much the gap's directions are
-/// tried.
+/// searches for cores that overlap could prove. Where the depth is too large the gap's directions
+/// are tried.
 bool is_least(const Core& a, const Core& b, const CoreGap& gap, Penetration& penetration) {
   const double tolerance = depth_tolerance(a, b);
   const double least = a.radius + b.radius - gap.upper;
   const auto is_thin = [](const Core& core) {
     return core.kind == CoreKind::Point || core.kind == CoreKind::Segment;
   };
-  // Of points and segments the bound is the radii, which is one only if they meet.
+  // For points and segments the bound is the radii, which is one only if they meet.
   const bool is_bounded = !penetration.is_open && !(is_thin(a) && is_thin(b));
   penetration.lower = is_bounded ? std::max(penetration.lower, least) : least;
   if (gap.upper > 0 && penetration.depth - penetration.lower > tolerance) {

@@ -6,38 +6,39 @@
 namespace graze::narrowphase {
 namespace {
 
-// Parts of a turn, as divided by share_of_turn(): 512 are of 0.9 degrees at most.
+// A turn has so many parts, as divided by share_of_turn(); 512 parts are of 0.9 degrees at most.
 constexpr std::uint64_t kParts = 8, kNarrowParts = 512;
 
-// Nothing that is turned by quarters or eighths is near where one part ends: as a share of a turn.
+// The first part ends at this share of a turn: nothing that is turned by quarters or eighths is
+// near where one part ends.
 constexpr double kFirstEnd = 0.0345;
 
 // About the axis itself, to half a degree, no part looks along a direction more than another.
 constexpr double kAboutAxis = 0.01;
 
-// Sides are sharp where they are less rounder than deep than this share of the smaller size.
+// Sides are sharp where their radii exceed the depth by less than this share of the smaller size.
 constexpr double kSharp = 0x1p-6;
 
 bool has_round_side(const Core& core) {
   return core.kind == CoreKind::Cylinder || core.kind == CoreKind::Cone;
 }
 
-/// How far a point is from the axis of a round side; 0 for all others.
+/// Returns how far a point is from the axis of a round side, and 0 for all other sets.
 double radius_at(const Core& core, const Vec3& point) {
   if (!has_round_side(core)) return 0;
   const Vec3 off = point - core.at;
   return length(off - core.axis[2] * dot(off, core.axis[2]));
 }
 
-/// Grows from 0 to 1 about the axis, by as much for each quarter, without a C library: by up to
-/// twice as much for an angle as for others.
+/// Returns a share that grows from 0 to 1 about the axis, by as much in each quarter. It needs no C
+/// library, and so grows up to twice as fast at some angles as at others.
 double share_of_turn(double x, double y) {
   const double of_quarters = y / (std::abs(x) + std::abs(y));
   if (x < 0) return 0.25 * (2 - of_quarters);
   return 0.25 * (of_quarters < 0 ? 4 + of_quarters : of_quarters);
 }
 
-/// 0 of what has no round side.
+/// Returns the part of a round side that looks along a direction; 0 for sets without one.
 std::uint64_t part_along(const Core& core, const Vec3& out, bool is_sharp) {
   if (!has_round_side(core)) return 0;
   const double x = dot(out, core.axis[0]), y = dot(out, core.axis[1]);

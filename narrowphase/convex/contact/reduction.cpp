@@ -14,8 +14,8 @@ namespace {
 // Squares of distances count as equal where they differ by no more than this share of them.
 constexpr double kSame = 1e-4;
 
-// Depths are the same to this share of the width of the contact, which is how far from the first
-// of its points any other lies, where a corner of a face may stand for the deepest.
+// Depths count as the same to this share of the width of the contact, which is how far from the
+// first of its points any other lies, where a corner of a face may stand for the deepest.
 constexpr double kAsDeep = 1e-5;
 
 // Contacts are level where their depths differ by less than this share of their width.
@@ -30,10 +30,10 @@ constexpr double kOuter = 0.9;
 // they do.
 constexpr double kLacking = 7e-4, kLackingOfSize = 2e-6;
 
-// What depths of faces that only touch differ by, as a share of the width, is rounding.
+// Depths of faces that only touch differ by this share of the width, which is rounding.
 constexpr double kRoundingOfDepths = 0x1p-34;
 
-// What takes another's place takes its name from this near, as a share of the width.
+// A contact that takes another's place takes its name if it is this near, as a share of the width.
 constexpr double kNear = 0x1p-8;
 
 // A point is on the plane of a face to this share of the size.
@@ -46,7 +46,7 @@ bool is_goal(const ContactPoint& contact) {
   return contact.feature_a == kDeepestOfFace;
 }
 
-/// Whether its points are not along the normal, by so much: then it is a contact of its own.
+/// True if its points are off the normal by more than `within`: then it is a contact of its own.
 bool is_aside(const ContactPoint& contact, double within) {
   const Vec3 off = contact.point_a - contact.point_b - contact.normal * contact.depth;
   return dot(off, off) > within * within;
@@ -70,12 +70,12 @@ void sort_by_depth(std::span<ContactPoint> contacts) {
 
 /// One of the contacts that are offered.
 struct Offer {
-  std::size_t at;  ///< its place among all of them
+  std::size_t at;  ///< its place among all that are offered
   Vec3 middle;
-  double away;  ///< the square of how far from all that are kept, or from the first
+  double away;  ///< the square of how far it is from all that are kept, or from the first
 };
 
-/// The contacts that are offered, in an order that changes without any of them being moved.
+/// Holds the contacts that are offered, in an order that changes without any of them being moved.
 class Offered {
  public:
   explicit Offered(std::span<ContactPoint> contacts) : contacts_(contacts), offers_(scratch()) {
@@ -106,7 +106,7 @@ class Offered {
     std::rotate(place(kept), place(next), place(next + 1));
   }
 
-  /// Puts the first of them, so many, where all begin, the deepest first.
+  /// Puts the first `kept` of them at the front of all contacts, the deepest first.
   std::size_t gather(std::size_t kept) const {
     static thread_local std::vector<ContactPoint> found;
     std::sort(offers_.begin(), offers_.begin() + static_cast<std::ptrdiff_t>(kept),
@@ -122,7 +122,8 @@ class Offered {
 
  private:
   static std::vector<Offer>& scratch() {
-    static thread_local std::vector<Offer> offers;  // no step of a simulation allocates
+    static thread_local std::vector<Offer> offers;  // static so that no step of a simulation
+                                                    // allocates
     return offers;
   }
 
@@ -130,7 +131,7 @@ class Offered {
   std::vector<Offer>& offers_;
 };
 
-/// The least depth and the greatest, and how far from the first contact any other lies.
+/// Holds the least depth and the greatest, and how far from the first contact any other lies.
 struct Extent {
   double shallowest = std::numeric_limits<double>::infinity();
   double deepest = -1;
@@ -163,7 +164,8 @@ void keep_farthest(const Offered& contacts, std::size_t offered, std::size_t mos
   }
 }
 
-/// The first of the contacts offered that are about as far from the middle of these as any is.
+/// Returns the first of the contacts offered that are about as far from the middle of these as any
+/// is.
 std::size_t outermost(const Offered& contacts, std::size_t offered) {
   Vec3 middle{0, 0, 0};
   for (std::size_t i = 0; i < offered; ++i)
@@ -187,21 +189,21 @@ std::size_t first_so_deep(const Offered& contacts, double depth) {
   return at;
 }
 
-/// A move of a kept contact to where another is deep enough.
+/// Moves a kept contact to where another is deep enough.
 struct Move {
   std::size_t from;
   std::size_t to;
-  double share;   ///< of the segment to the other contact
-  double square;  ///< of its length
+  double share;   ///< the share of the segment to the other contact
+  double square;  ///< the square of the move's length
 };
 
-/// What moves may lead to.
+/// Says what moves are to lead to.
 struct Goals {
-  double depth;   ///< so deep, metres
-  double within;  ///< points are along the normal to so much
+  double depth;   ///< the depth to come to, metres
+  double within;  ///< points count as along the normal to this much
 };
 
-/// The shortest one that is longer than that.
+/// Returns the shortest move that is longer than `longer`.
 std::optional<Move> next_move(const Offered& contacts, std::size_t kept, const Goals& goals,
                               double longer) {
   std::optional<Move> best;
@@ -229,8 +231,8 @@ bool follow(const Move& move, const ContactSurfaces& surfaces, const Offered& co
   return true;
 }
 
-/// Makes one of those that are kept as deep as the deepest of all. With features of its own a
-/// deeper one in its place would be another contact with every jitter.
+/// Makes one of the kept contacts as deep as the deepest of all. A deeper one in its place, which
+/// has features of its own, would be another contact with every jitter.
 void deepen(const Offered& contacts, std::size_t kept, const Extent& extent,
             const Reduction& reduction) {
   const auto has = [&](double depth) {
@@ -259,7 +261,8 @@ void deepen(const Offered& contacts, std::size_t kept, const Extent& extent,
   for (std::size_t i = 1; i < kept; ++i)
     if (contacts.square_between(i, at) < contacts.square_between(next, at)) next = i;
   ContactPoint &nearest = contacts[next], taken = contacts[at];
-  // What is far away is another contact, if it is so seldom that a place has to be taken.
+  // Where surfaces are known a place has to be taken so seldom that a contact from far away may
+  // count as another one.
   const double far = reduction.surfaces == nullptr ? 2 : kNear;
   const bool is_near = contacts.square_between(next, at) <= far * far * extent.width * extent.width;
   if (is_near && !is_aside(taken, within))

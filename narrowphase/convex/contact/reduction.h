@@ -19,7 +19,7 @@ class ContactSurfaces {
   ~ContactSurfaces() = default;
 };
 
-/// Those of two convex sets whose faces face each other along the contacts' normal.
+/// Holds the surfaces of two convex sets whose faces face each other along the contacts' normal.
 class CoreSurfaces final : public ContactSurfaces {
  public:
   /// A is grown by the margin, metres, along the normal. The sets must outlive it.
@@ -32,27 +32,28 @@ class CoreSurfaces final : public ContactSurfaces {
   double margin_;
 };
 
-/// Takes a point to the surface of a set, grown by a margin along `out`, that a face of it leads to
-/// along `out`, a unit direction away from the set. False if the set has no face there, but a
-/// point.
+/// Takes a point along `out`, a unit direction away from a set, to the surface of the set, grown by
+/// a margin along `out`, metres. False if the set turns a point to that direction and no face, or
+/// if the point is off the face that it turns there.
 bool move_onto_face(const Core& core, const Vec3& out, double margin, Vec3& point);
 
-/// What the greatest depth of contacts is measured by.
+/// Says by what the greatest depth of contacts is measured.
 struct DepthScale {
-  double margin = 0;  ///< metres, that the depth has in it: that without it counts
-  double size = 0;    ///< metres, of the contact or of what is in contact
+  double margin = 0;  ///< metres, contained in the depth: the depth without it counts
+  double size = 0;    ///< metres, the size of the contact or of what is in contact
 };
 
-/// The least that the greatest depth of contacts may be said to be: less than what parts the two by
-/// less than the thousandth that law 15 allows, and by 2e-6 of the size at most.
+/// Returns the least that the greatest depth of contacts may be said to be: less than what parts
+/// the two by less than the thousandth that law 15 allows, and by 2e-6 of the size at most.
 double least_of_deepest(double depth, const DepthScale& scale);
-/// The least of all contacts that are offered: where they lack more, the deepest point is, too.
+/// Returns the least of all contacts that are offered: where they lack more, so does the deepest
+/// point.
 double least_offered(double depth, const DepthScale& scale);
 
 struct Reduction {
-  std::size_t most;                           ///< contacts that are left at most
-  double margin = 0;                          ///< metres, that all depths have in them
-  const ContactSurfaces* surfaces = nullptr;  ///< unless nobody knows them
+  std::size_t most;                           ///< the most contacts that are left
+  double margin = 0;                          ///< metres, contained in all depths
+  const ContactSurfaces* surfaces = nullptr;  ///< null if nobody knows them
 };
 
 /// Puts contacts that stand for all of a region in front, the deepest first, and says how many.
@@ -60,9 +61,9 @@ struct Reduction {
 /// ties of distances, to 1e-4, go to the lower features. If then none is as deep as
 /// least_of_deepest() says, the one of these that has the shortest move moves towards a deeper one
 /// until it is, and keeps its features. So what lies and trembles has the same contacts from step
-/// to step, and none of them jumps. Where the surfaces do not hold it in between it takes the place
-/// of the deepest. Where nobody knows them it does so, too, but only where it lacks 1e-5 of the
-/// width. O(n log n) for n contacts.
+/// to step, and none of them jumps. Where the surfaces do not hold it in between, it takes the
+/// place of the deepest. Where no surfaces are known it does so, too, but only where it lacks 1e-5
+/// of the width. Takes O(n log n) for n contacts.
 std::size_t reduce(std::span<ContactPoint> contacts, const Reduction& reduction);
 
 }  // namespace graze::narrowphase

@@ -9,11 +9,13 @@
 namespace graze::narrowphase {
 namespace {
 
-// As of two boxes: edges at a smaller angle give no axis, and must gain a twentieth.
+// The values are those of two boxes: edges at a smaller angle give no axis, and must gain a
+// twentieth.
 constexpr double kParallel = 1e-6;
 constexpr double kEdgeGain = 0.95;
 
-// Points are one line along the normal to this share of the scale: kTouchTolerance of engine/world.
+// Points are on one line along the normal to this share of the scale: kTouchTolerance of
+// engine/world.
 constexpr double kTouching = 0x1p-34;
 
 double projected_radius(const Core& box, const Vec3& direction) {
@@ -54,7 +56,7 @@ class BoxAndTriangle {
   }
 
  private:
-  /// The triangle leaves by either end of the axis, whose length is `size`.
+  /// Offers an axis whose length is `size`: the triangle leaves by either end of it.
   void offer(const Vec3& axis, double size, double gain, int box_axis, int edge) {
     const double a = dot(corner_[0], axis), b = dot(corner_[1], axis), c = dot(corner_[2], axis);
     const double radius = projected_radius(box_, axis);
@@ -67,8 +69,8 @@ class BoxAndTriangle {
     axis_ = box_axis, edge_ = edge;
   }
 
-  /// The edge of the box that is farthest along the normal, and the triangle's, unless its third
-  /// corner is deeper.
+  /// Takes as meeting points those of the box's edge that is farthest along the normal and the
+  /// triangle's edge, unless its third corner is deeper.
   void meet_at_edges(Parting& parting) const {
     if (dot(corner_[(edge_ + 2) % 3] - corner_[edge_], normal_) < 0) return;
     const BoxEdge edge = edge_along(box_, axis_, normal_);
@@ -81,10 +83,11 @@ class BoxAndTriangle {
 
   const Core& box_;
   const Core& triangle_;
-  Vec3 corner_[3];  ///< from the middle of the box
+  Vec3 corner_[3];  ///< the corners as seen from the middle of the box
   Vec3 normal_;
   double depth_ = std::numeric_limits<double>::infinity();
-  // The normal is the cross product of this axis of the box and this edge of the triangle, if any.
+  // The normal is the cross product of this axis of the box and this edge of the triangle, unless
+  // they are -1.
   int axis_ = -1;
   int edge_ = -1;
 };

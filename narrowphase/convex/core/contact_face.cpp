@@ -30,7 +30,8 @@ ContactFace point_along(const Core& core, const Vec3& direction) {
   return face;
 }
 
-/// Corner i of a box has bit k of i set where its coordinate k is positive.
+/// Returns a face of a box. Corner i of a box has bit k of i set where its coordinate k is
+/// positive.
 ContactFace box_face(const Core& core, const Vec3& own) {
   const double along[3] = {own.x, own.y, own.z};
   const double half[3] = {core.half.x, core.half.y, core.half.z};
@@ -58,7 +59,7 @@ ContactFace box_face(const Core& core, const Vec3& own) {
   return face;
 }
 
-/// Face 0 is the cap at +z, 1 that at -z.
+/// Returns a cap: face 0 is the cap at +z, 1 that at -z.
 ContactFace cap(const Core& core, bool is_upper) {
   ContactFace face;
   face.id = is_upper ? 0 : 1;
@@ -72,7 +73,8 @@ ContactFace cap(const Core& core, bool is_upper) {
   return face;
 }
 
-/// The segment along the side that faces (x, y): from -z to +z, of radii there, face 2.
+/// Returns the segment along the side that faces (x, y), from -z to +z, with the radii there: face
+/// 2.
 ContactFace side(const Core& core, const Vec3& own, double low_radius, double high_radius) {
   const Vec3 out = unit_or({own.x, own.y, 0}, {1, 0, 0});
   ContactFace face;
@@ -98,7 +100,7 @@ ContactFace cone_face(const Core& core, const Vec3& own) {
   return side(core, own, core.half.x, 0);
 }
 
-/// The side of a capsule while its ends face the direction less than at 45 degrees.
+/// Returns the side of a capsule while its ends face the direction less than at 45 degrees.
 ContactFace segment_face(const Core& core, const Vec3& direction, const Vec3& own) {
   const double flat = std::sqrt(own.x * own.x + own.y * own.y);
   if (std::abs(own.z) > flat) {
@@ -124,8 +126,8 @@ ContactFace hull_face(const Core& core, const Vec3& own) {
   constexpr std::uint32_t kMost = ContactFace::kMostCorners;
   const std::uint32_t count = found.count < kMost ? found.count : kMost;
   face.next_facing = count < found.count ? 1 : next;
-  // Corners within an edge of the polygon, as it is seen along the normal, are none of its own, and
-  // may all the same be the ones in front.
+  // Corners that are within an edge of the polygon, as seen along the normal, are none of its own,
+  // and may still be the ones in front.
   const double highest = hull.contact_offsets[best];
   double lowest = highest;
   for (std::uint32_t i = 0; i < count; ++i) {
@@ -138,7 +140,8 @@ ContactFace hull_face(const Core& core, const Vec3& own) {
   return face;
 }
 
-/// Both sides of a triangle are faces: 0 where it turns counter-clockwise.
+/// Returns a face of a triangle, of which both sides are one: 0 is the side on which it turns
+/// counter-clockwise.
 ContactFace triangle_face(const Core& core, const Vec3& direction) {
   const Vec3 normal = cross(core.corner[1] - core.corner[0], core.corner[2] - core.corner[0]);
   const bool is_front = dot(normal, direction) >= 0;

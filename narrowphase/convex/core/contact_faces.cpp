@@ -10,10 +10,10 @@ namespace {
 
 using Index = std::uint32_t;
 
-// Facets that lean further than this from a face are none of it, however small they are.
+// Facets that lean further than this from a face do not belong to it, however small they are.
 constexpr double kOneFace = 0.99;
 
-/// Twice the area, in units in which nothing overflows.
+/// Returns twice the area, in units in which nothing overflows.
 double area_of(const Hull& hull, const Hull::Face& face) {
   const auto at = [&](Index i) {
     return hull.corners[hull.loops[face.first + i]] * (1 / hull.bounding_radius);
@@ -24,15 +24,15 @@ double area_of(const Hull& hull, const Hull::Face& face) {
   return area;
 }
 
-/// The axis along which a normal points most.
+/// Returns the axis along which a normal points most.
 int steepest_axis(const Vec3& normal) {
   const double x = std::abs(normal.x), y = std::abs(normal.y), z = std::abs(normal.z);
   if (z >= x && z >= y) return 2;
   return y >= x ? 1 : 0;
 }
 
-/// The corners of the convex polygon around those given, as they are seen along the axis:
-/// counter-clockwise if the axis comes towards the eye. Andrew's chains.
+/// Returns the corners of the convex polygon around those given, as seen along the axis:
+/// counter-clockwise if the axis comes towards the eye. They are found by Andrew's chains.
 std::vector<Index> outline(const Hull& hull, std::vector<Index> inside, int axis) {
   const auto seen = [&](Index i) { return project(&hull.corners[i].x, axis); };
   std::sort(inside.begin(), inside.end(), [&](Index i, Index j) {
@@ -80,7 +80,7 @@ class ContactFaces {
       if (!is_taken_[seed]) add_face(seed);
     }
     if (found_.empty()) keep_facets();
-    // In the order of the facets, so that numbers of features do not hang on areas.
+    // They go in the order of the facets, so that numbers of features do not hang on areas.
     std::sort(found_.begin(), found_.end(),
               [](const Found& s, const Found& t) { return s.first < t.first; });
     for (const Found& found : found_) {
@@ -95,7 +95,7 @@ class ContactFaces {
  private:
   struct Found {
     Index seed;
-    Index first;  ///< of the facets that it took
+    Index first;  ///< the first of the facets that it took
     std::vector<Index> loop;
   };
 
@@ -109,7 +109,8 @@ class ContactFaces {
     const int axis = steepest_axis(facet.normal);
     std::vector<Index> loop = outline(hull_, flat, axis);
     is_taken_[seed] = true;
-    // A facet so narrow that rounding leaves nothing of it: its neighbours stand for it.
+    // A facet may be so narrow that rounding leaves nothing of it: then its neighbours stand for
+    // it.
     if (loop.size() < 3) return;
     const double towards = axis == 0 ? facet.normal.x : axis == 1 ? facet.normal.y : facet.normal.z;
     if (towards < 0) std::reverse(loop.begin(), loop.end());
@@ -117,7 +118,7 @@ class ContactFaces {
     found_.push_back({seed, take(facet, flat, seed), std::move(loop)});
   }
 
-  /// Of a needle so thin that rounding leaves a line.
+  /// Keeps the facets as they are, for a needle so thin that rounding leaves a line.
   void keep_facets() {
     for (Index i = 0; i < hull_.faces.size(); ++i) {
       const auto begin = hull_.loops.begin() + hull_.faces[i].first;
@@ -125,7 +126,7 @@ class ContactFaces {
     }
   }
 
-  /// Takes what lies in the face; the first of it.
+  /// Takes the facets that lie in the face, and returns the first of them.
   Index take(const Hull::Face& face, const std::vector<Index>& flat, Index seed) {
     for (const Index corner : flat)
       is_flat_[corner] = true;

@@ -1,6 +1,6 @@
 #pragma once
 
-// Which polygons of a hull's corners count as its faces where contacts are concerned.
+// Finds which polygons of a hull's corners count as its faces where contacts are concerned.
 
 #include <graze/narrowphase/convex/core/hull.h>
 
@@ -13,11 +13,11 @@ namespace graze::narrowphase {
 inline constexpr double kContactFlatness = 0x1p-21;
 
 /// Fills in `contact_faces`, their offsets and their loops. From the largest facet to the smallest,
-/// each that no polygon has taken makes one: of all corners that are as flat beside its plane as
-/// that. The plane is the facet's own, so that no point of the hull is in front of it; the polygon
+/// each that no polygon has taken makes one: of all corners that lie within kContactFlatness of its
+/// plane. The plane is the facet's own, so that no point of the hull is in front of it; the polygon
 /// is a convex one of corners, so that it lies in the hull, and nowhere further than the flatness
 /// behind the plane. It takes facets whose corners are all among its own and whose normals are
-/// within 8 degrees. O(f v).
+/// within 8 degrees. Takes O(f v) for f facets and v corners.
 void add_contact_faces(Hull& hull);
 
 }  // namespace graze::narrowphase

@@ -8,7 +8,7 @@ double signed_like(double value, double sign) {
   return sign < 0 ? -value : value;
 }
 
-/// The point of the disc of a radius about the z axis that is farthest along (x, y).
+/// Returns the point of the disc of a radius about the z axis that is farthest along (x, y).
 Vec3 rim(double radius, const Vec3& direction, double z) {
   const double size = std::abs(direction.x) + std::abs(direction.y);
   if (!(size > 0)) return {radius, 0, z};

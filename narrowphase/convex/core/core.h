@@ -28,17 +28,17 @@ struct Core {
   Vec3 half;  ///< Box: half extents. Ellipsoid: semi-axes. Segment: half length as z.
               ///< Cylinder, Cone: radius as x, half height as z; a cone's apex is at +z
   double radius = 0;
-  double bounding_radius = 0;    ///< no point of the core is further than this from `at`
-  const Hull* hull = nullptr;    ///< Points: what they are the corners of; nullptr if unknown
+  double bounding_radius = 0;    ///< a bound of how far points of the core are from `at`
+  const Hull* hull = nullptr;    ///< Points: the hull whose corners they are; nullptr if unknown
   const Vec3* points = nullptr;  ///< Points: the corners in the core's own frame
   std::size_t point_count = 0;
-  const PointRows* rows = nullptr;  ///< Points: the same ones and perhaps more, or nullptr
+  const PointRows* rows = nullptr;  ///< Points: the same points and perhaps more, or nullptr
   Vec3 corner[3];  ///< Triangle: in the common frame; axes do not concern it, `at` is corner[0]
 };
 
-// Static, as the functions of vector.h are.
+// These functions are static, as those of vector.h are.
 
-/// The vector from the core's own frame to the common one, and back by the transpose.
+/// Take a vector from the core's own frame to the common one, and back by the transpose.
 static inline Vec3 turned(const Core& core, const Vec3& own) {
   return (core.axis[0] * own.x + core.axis[1] * own.y) + core.axis[2] * own.z;
 }
@@ -46,14 +46,14 @@ static inline Vec3 into_own(const Core& core, const Vec3& direction) {
   return {dot(core.axis[0], direction), dot(core.axis[1], direction), dot(core.axis[2], direction)};
 }
 
-/// A point of the core that is farthest in a direction, not zero. Ties go to the first of the
-/// points, and to the positive side.
+/// Returns a point of the core that is farthest in a direction, not zero. Ties go to the first of
+/// the points, and to the positive side.
 Vec3 support(const Core& core, const Vec3& direction);
 
-/// The same for the set, that is, with the radius.
+/// Returns the same for the set, that is, with the radius.
 Vec3 rounded_support(const Core& core, const Vec3& unit_direction);
 
-/// A bound of the sums that make up points of both sets, by which rounding is measured.
+/// Returns a bound of the sums that make up points of both sets, by which rounding is measured.
 double pair_scale(const Core& a, const Core& b);
 
 }  // namespace graze::narrowphase

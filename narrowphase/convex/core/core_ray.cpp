@@ -1,8 +1,8 @@
-// The line is taken from its point nearest to the core's middle, and lengths relative to the core's
-// size: then what is rounded is of the size of the shape, wherever the ray comes from, and rounding
-// moves a face by some 10 u of the scale, u = 2^-53. Each part of a shape is met along an interval
-// of the line, by a formula that is stable in the sense that its result is exact for a part that is
-// moved by so much.
+// The line is taken from its point nearest to the core's middle, and lengths are relative to the
+// core's size: then what is rounded is of the size of the shape, wherever the ray comes from, and
+// rounding moves a face by some 10 u of the scale, u = 2^-53. Each part of a shape is met along an
+// interval of the line, by a formula that is stable in the sense that its result is exact for a
+// part that is moved by so much.
 
 #include <graze/narrowphase/convex/core/core_ray.h>
 #include <graze/narrowphase/convex/core/hull_ray.h>
@@ -16,24 +16,25 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// What turns by less than this over the size of the shape is parallel: less than kRayTolerance.
+// Directions that turn by less than this over the size of the shape are parallel; it is less than
+// kRayTolerance.
 constexpr double kParallel = 0x1p-42;
 
 // Nothing is taken to be thinner than this share of its size, so that no ratio of lengths is
 // larger than its inverse.
 constexpr double kThinnest = 0x1p-50;
 
-/// A line, and the part of it that is within the shape: empty if enter > exit.
+/// Holds a line, and the part of it that is within the shape: empty if enter > exit.
 struct Line {
   Vec3 origin;
   Vec3 direction;
 };
 
-/// The part of a ray that is in some set.
+/// Holds the part of a ray that is in some set.
 struct Stretch {
   double enter = -kInfinity;
   double exit = kInfinity;
-  Vec3 normal;  ///< of the set where the ray enters: outward, of any length
+  Vec3 normal;  ///< the set's normal where the ray enters: outward, of any length
 
   static Stretch nothing() { return {kInfinity, -kInfinity, {}}; }
   bool is_empty() const { return !(enter <= exit); }
@@ -43,14 +44,14 @@ Vec3 at(const Line& line, double s) {
   return line.origin + line.direction * s;
 }
 
-/// Of two convex parts: what is in both.
+/// Returns what two convex parts have in common.
 Stretch common(const Stretch& a, const Stretch& b) {
   Stretch both = a.enter >= b.enter ? a : b;
   both.exit = std::min(a.exit, b.exit);
   return both;
 }
 
-/// Of two parts whose union is convex.
+/// Joins two parts whose union is convex.
 Stretch joined(const Stretch& a, const Stretch& b) {
   if (a.is_empty()) return b;
   if (b.is_empty()) return a;
@@ -59,7 +60,7 @@ Stretch joined(const Stretch& a, const Stretch& b) {
   return all;
 }
 
-/// The points with normal . x <= offset.
+/// Returns the line's part with normal . x <= offset.
 Stretch in_half_space(const Line& line, const Vec3& normal, double offset) {
   const double room = offset - dot(normal, line.origin);
   const double slope = dot(normal, line.direction);
@@ -71,12 +72,12 @@ Stretch in_half_space(const Line& line, const Vec3& normal, double offset) {
   return stretch;
 }
 
-/// The points with -half <= x_k <= half, `unit_axis` being the axis k.
+/// Returns the line's part with -half <= x_k <= half, `unit_axis` being the axis k.
 Stretch in_slab(const Line& line, const Vec3& unit_axis, double half) {
   return common(in_half_space(line, unit_axis, half), in_half_space(line, -unit_axis, half));
 }
 
-/// The ball about 0. For a direction of any length.
+/// Returns the line's part in the ball about 0, for a direction of any length.
 Stretch in_ball(const Line& line, double radius) {
   const double square = dot(line.direction, line.direction);
   if (!(square > 0)) return length(line.origin) <= radius ? Stretch{} : Stretch::nothing();
@@ -91,7 +92,7 @@ Vec3 across(const Vec3& v, const Vec3& unit_axis) {
   return v - unit_axis * dot(v, unit_axis);
 }
 
-/// What is at most the radius from the line through 0 along the axis.
+/// Returns the line's part that is at most the radius from the line through 0 along the axis.
 Stretch in_tube(const Line& line, const Vec3& unit_axis, double radius) {
   const Line beside{across(line.origin, unit_axis), across(line.direction, unit_axis)};
   if (length(beside.direction) < kParallel * length(line.direction))
@@ -99,12 +100,12 @@ Stretch in_tube(const Line& line, const Vec3& unit_axis, double radius) {
   return in_ball(beside, radius);
 }
 
-/// The line from another of its points, `by` further on.
+/// Describes the line from another of its points, `by` further on.
 struct Shifted {
   Line line;
   double by;
 
-  /// What is empty by less than rounding here may not come out as a point.
+  /// A part that is empty by less than rounding here may not come out as a point.
   Stretch back(Stretch stretch) const {
     if (stretch.is_empty()) return Stretch::nothing();
     stretch.enter += by;
@@ -113,10 +114,11 @@ struct Shifted {
   }
 };
 
-/// From the middle of the axis along which the line goes farthest, measured in half lengths. Of a
-/// shape that is thin along this axis other points of the line are many half lengths away, and what
-/// is rounded there, too: here all of the shape is about one unit wide, in units of its half
-/// lengths, and what is rounded from now on moves its faces by some u of each of these.
+/// Takes the line from where it is at the middle of the axis along which it goes farthest, measured
+/// in half lengths. Where a shape is thin along this axis other points of the line are many half
+/// lengths away, and so is what is rounded there; here all of the shape is about one unit wide, in
+/// units of its half lengths, and what is rounded from now on moves its faces by some u of each of
+/// these.
 Shifted from_middle_of_steepest(const Line& line, const Vec3& half) {
   constexpr double Vec3::*kAxes[3] = {&Vec3::x, &Vec3::y, &Vec3::z};
   double Vec3::*steepest = kAxes[0];
@@ -131,8 +133,8 @@ Shifted from_middle_of_steepest(const Line& line, const Vec3& half) {
   return shifted;
 }
 
-/// The line's stretch in a shape, which need not be taken from elsewhere if it is not thin: then
-/// what is rounded moves faces by some u times the inverse of this.
+/// Returns the line's stretch in a shape. Where the shape is not thin the line is taken as it is:
+/// then what is rounded moves faces by some u times the inverse of kThin.
 template <typename InShape>
 Stretch in_maybe_thin(const Line& line, const Vec3& half, InShape&& in_shape) {
   constexpr double kThin = 0.015625;
@@ -145,8 +147,8 @@ Line moved(const Line& line, const Vec3& by) {
   return {line.origin - by, line.direction};
 }
 
-/// What a normal has along `direction` is taken from it if it looks along it: where the line grazes
-/// a side rounding may turn the normal so. False if that is most of it, which then is rounding
+/// Takes away what a normal has along `direction` if it looks along it, as rounding may make it
+/// where the line grazes a side. False if that is most of the normal, which then is rounding
 /// itself.
 bool turn_against(const Vec3& direction, Vec3& normal) {
   const double along = dot(normal, direction);
@@ -156,8 +158,8 @@ bool turn_against(const Vec3& direction, Vec3& normal) {
   return dot(normal, normal) > 0.5 * before;
 }
 
-/// Where the line enters: away from the segment, and where its inside is nearest at right angles to
-/// it and against the line, however thin the capsule is.
+/// Returns the normal where the line enters: away from the segment, and where its inside is nearest
+/// at right angles to it and against the line, however thin the capsule is.
 Vec3 capsule_normal(const Line& line, double enter, const Vec3& axis, double half_length) {
   const Vec3 point = at(line, enter);
   const double along = dot(point, axis);
@@ -166,7 +168,8 @@ Vec3 capsule_normal(const Line& line, double enter, const Vec3& axis, double hal
     if (turn_against(line.direction, of_end)) return of_end;
   }
   const Vec3 beside = across(line.direction, axis);
-  Vec3 of_tube = across(across(point, axis), axis);  // the second takes what the first left
+  Vec3 of_tube = across(across(point, axis), axis);  // the second call takes away what the first
+                                                     // left
   if (length(beside) < kParallel * length(line.direction)) return of_tube;
   return turn_against(beside, of_tube) ? of_tube : -beside;
 }
@@ -178,8 +181,8 @@ Stretch in_capsule(const Line& line, const Vec3& half_axis, double radius) {
       joined(in_ball(moved(line, half_axis), radius), in_ball(moved(line, -half_axis), radius));
   const Stretch tube = common(in_tube(line, axis, radius), in_slab(line, axis, half_length));
   Stretch all = joined(ends, tube);
-  // Not that of the part that is met first: where parts meet rounding would choose the tube's
-  // discs.
+  // The normal is not that of the part that is met first: where parts meet rounding would choose
+  // the tube's discs.
   if (!all.is_empty()) all.normal = capsule_normal(line, all.enter, axis, half_length);
   return all;
 }
@@ -188,7 +191,7 @@ Stretch in_cylinder(const Line& line, const Vec3& half) {
   return common(in_tube(line, {0, 0, 1}, half.x), in_slab(line, {0, 0, 1}, half.z));
 }
 
-/// For a direction on or within the cone: the line is in the nappe w >= 0 from one point upward.
+/// For a direction on or within the cone the line is in the nappe w >= 0 from one point upward.
 Stretch upward_from(const Line& line, double s) {
   Stretch stretch;
   if (line.direction.z > 0) {
@@ -201,8 +204,8 @@ Stretch upward_from(const Line& line, double s) {
   return stretch;
 }
 
-/// x^2 + y^2 <= w^2, w >= 0, for a line in (x, y, w): a s^2 + 2 b s + c <= 0 on one of two nappes.
-/// The coefficients cancel, and so are computed in twice the precision.
+/// Returns where a line in (x, y, w) has x^2 + y^2 <= w^2 and w >= 0: where a s^2 + 2 b s + c <= 0,
+/// on one of two nappes. The coefficients cancel, and so they are computed in twice the precision.
 Stretch in_nappe(const Line& line) {
   const Vec3& o = line.origin;
   const Vec3& d = line.direction;
@@ -214,8 +217,8 @@ Stretch in_nappe(const Line& line) {
   const bool is_upward = d.z > 0;
   if (std::abs(a.high) <= 0x1p-90 * dot(d, d)) {  // along the cone: one point, and on one nappe
     if (b.high == 0) {
-      // In the plane that touches the cone along a generator parallel to the line: the form is c
-      // all along, which is 0 on that generator and above 0 beside it.
+      // The line is in the plane that touches the cone along a generator parallel to it: the form
+      // is c all along, which is 0 on that generator and above 0 beside it.
       if (c.high > 0x1p-90 * dot(o, o)) return Stretch::nothing();
       return upward_from(line, -o.z / d.z);
     }
@@ -237,8 +240,9 @@ Stretch in_nappe(const Line& line) {
   return {first, second, {point.x, point.y, -point.z}};
 }
 
-/// In the coordinates of in_nappe(), of a point of the nappe: outward, and against the line. At the
-/// apex and next to it, where rounding leaves no side, that of the side that the line comes from.
+/// Returns the outward normal at a point of the nappe, in the coordinates of in_nappe(), against
+/// the line. At the apex and next to it, where rounding leaves no side, it is that of the side that
+/// the line comes from.
 Vec3 nappe_normal(const Vec3& point, const Vec3& direction) {
   const auto of_side = [](double x, double y) { return Vec3{x, y, -std::sqrt(x * x + y * y)}; };
   const Vec3 normal = of_side(point.x, point.y);
@@ -247,7 +251,8 @@ Vec3 nappe_normal(const Vec3& point, const Vec3& direction) {
   return of_near_side.z < 0 ? of_near_side : Vec3{0, 0, -1};
 }
 
-/// In coordinates in which it is x^2 + y^2 <= w^2, 0 <= w <= 1.
+/// Returns the line's part in the cone, which is x^2 + y^2 <= w^2, 0 <= w <= 1 in scaled
+/// coordinates.
 Stretch in_cone(const Line& line, const Vec3& half) {
   const auto scaled = [&](const Vec3& v, double w) {
     return Vec3{v.x / half.x, v.y / half.x, (w - v.z) / (2 * half.z)};
@@ -272,8 +277,8 @@ Stretch in_box(const Line& line, const Vec3& half) {
                 in_slab(line, {0, 0, 1}, half.z));
 }
 
-/// From the common frame into the core's own: the inverse of its axes, which are not quite
-/// orthonormal.
+/// Takes vectors from the common frame into the core's own, by the inverse of its axes, which are
+/// not quite orthonormal.
 class IntoOwn {
  public:
   explicit IntoOwn(const Core& core) {
@@ -287,7 +292,7 @@ class IntoOwn {
   Vec3 operator()(const Vec3& v) const {
     return {dot(row_[0], v), dot(row_[1], v), dot(row_[2], v)};
   }
-  /// A normal back: by the transpose.
+  /// Takes a normal back, by the transpose.
   Vec3 normal_back(const Vec3& n) const { return (row_[0] * n.x + row_[1] * n.y) + row_[2] * n.z; }
 
  private:
@@ -316,7 +321,7 @@ Stretch in_own(const Core& core, const Line& line, double size) {
   }
 }
 
-/// The line's stretch in units of the size; its origin is relative to the core's middle.
+/// Returns the line's stretch in units of the size; its origin is relative to the core's middle.
 Stretch in_core(const Core& core, const Line& line, double size) {
   if (core.kind == CoreKind::Point) return in_ball(line, core.radius / size);
   if (core.kind == CoreKind::Segment)
@@ -327,17 +332,18 @@ Stretch in_core(const Core& core, const Line& line, double size) {
   return stretch;
 }
 
-/// Of length 1, and against the ray in spite of what rounding makes of one that is at right angles
-/// to it.
+/// Returns the normal with length 1, and against the ray in spite of what rounding makes of one
+/// that is at right angles to it.
 Vec3 unit_against(const Vec3& normal, const Vec3& direction) {
   const Vec3 unit = unit_or(normal, -direction);
   const double along = dot(unit, direction);
   return along > 0 ? unit_or(unit - direction * (along + 0x1p-52), -direction) : unit;
 }
 
-/// A hull's faces may meet at any angle, so that planes that are elsewhere by however little may
-/// meet far away. So it is the ray that is moved, by rounding, and what it meets is exact. From
-/// near the hull the ray begins where it does, from afar at its point nearest to the middle.
+/// Casts at a hull. Its faces may meet at any angle, so that planes that are elsewhere by however
+/// little may meet far away. So it is the ray that is moved, by rounding, and what it meets is
+/// exact. From near the hull the ray begins where it does, from afar at its point nearest to the
+/// middle.
 std::optional<CoreRayHit> cast_at_hull(const Core& core, const Vec3& from_middle,
                                        const Vec3& direction) {
   const double far = largest(from_middle);
@@ -366,7 +372,7 @@ std::optional<CoreRayHit> cast_ray(const Core& core, const Vec3& origin, const V
   const double size = core.bounding_radius + core.radius;
   const Vec3 from_middle = origin - core.at;
   if (core.kind == CoreKind::Points) return cast_at_hull(core, from_middle, direction);
-  // In units of whichever is larger, so that nothing overflows in between.
+  // Lengths are in units of whichever is larger, so that nothing overflows in between.
   const double far = std::max(largest(from_middle), size);
   const Vec3 start{from_middle.x / far, from_middle.y / far, from_middle.z / far};
   const double to_nearest = -dot(start, direction);

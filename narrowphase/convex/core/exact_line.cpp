@@ -11,7 +11,8 @@ const double* data(const Vec3& v) {
   return &v.x;
 }
 
-/// Three corners of a face, no three of which are on a line: as normal_of() in hull.cpp takes them.
+/// Takes three corners of a face as normal_of() in hull.cpp does; no three of its corners are on a
+/// line.
 struct ThreeCorners {
   ThreeCorners(const Hull& hull, const Hull::Face& face)
       : a(hull.exact_corners[hull.loops[face.first]]),
@@ -22,14 +23,14 @@ struct ThreeCorners {
   const Vec3& c;
 };
 
-/// Corners seen from the origin, as integers.
+/// Holds corners as seen from the origin, as integers.
 class Exactly {
  public:
   Exactly(const Hull& hull, const Vec3& origin) : hull_(hull), origin_(origin), unit_({}) {
     unit_.include(data(hull.middle), 3);
     unit_.include(data(origin), 3);
   }
-  /// Before anything is counted.
+  /// Takes coordinates into account, before anything is counted.
   void include(const Vec3& v) { unit_.include(data(v), 3); }
 
   BigVector from_origin(const Vec3& corner) const {

@@ -27,7 +27,8 @@ bool are_equal(const Vec3& a, const Vec3& b) {
   return a.x == b.x && a.y == b.y && a.z == b.z;
 }
 
-/// Exact: three points are on a line if they are so in all three projections.
+/// Tells exactly whether three points are on a line: they are if they are so in all three
+/// projections.
 bool are_on_a_line(const Vec3& a, const Vec3& b, const Vec3& c) {
   for (int axis = 0; axis < 3; ++axis) {
     if (orientation_2d(project(data(a), axis), project(data(b), axis), project(data(c), axis)) !=
@@ -38,7 +39,7 @@ bool are_on_a_line(const Vec3& a, const Vec3& b, const Vec3& c) {
   return true;
 }
 
-/// Four points with a volume, the first three counter-clockwise from outside.
+/// Finds four points with a volume, the first three counter-clockwise from outside.
 HullDefect first_tetrahedron(const std::vector<Vec3>& p, std::array<Index, 4>& t) {
   const Index n = static_cast<Index>(p.size());
   t = {0, 0, 0, 0};
@@ -87,8 +88,8 @@ void add_point(const std::vector<Vec3>& p, Index point, std::vector<Corners>& tr
   triangles = std::move(kept);
 }
 
-/// Corners go relative to the middle of their box, so that a hull far from its frame's origin loses
-/// nothing more.
+/// Moves corners so that they are relative to the middle of their box, and a hull far from its
+/// frame's origin loses nothing more.
 void centre(Hull& hull) {
   Vec3 low = hull.exact_corners[0];
   Vec3 high = low;
@@ -116,7 +117,7 @@ class FaceBuilder {
 
   bool is_taken(Index triangle) const { return is_taken_[triangle]; }
 
-  /// The corners around all that are in the plane of `first`.
+  /// Returns the corners around all triangles in the plane of `first`.
   std::vector<Index> loop_from(Index first) {
     std::vector<Index> open{first};
     std::map<Index, Index> next;  // along the boundary
@@ -155,7 +156,8 @@ class FaceBuilder {
   std::map<std::pair<Index, Index>, Index> face_of_;
 };
 
-/// The unit normal of a face, from three of its corners that are apart: no three are on a line.
+/// Returns the unit normal of a face, from three of its corners that are apart: no three are on a
+/// line.
 Vec3 normal_of(const std::vector<Vec3>& p, const std::vector<Index>& loop) {
   const std::size_t n = loop.size();
   const auto at = [&](std::size_t i) {
@@ -166,7 +168,7 @@ Vec3 normal_of(const std::vector<Vec3>& p, const std::vector<Index>& loop) {
   return {normal.data()[0], normal.data()[1], normal.data()[2]};
 }
 
-/// Which face each edge leads to.
+/// Notes which face each edge leads to.
 void add_neighbours(Hull& hull) {
   std::map<std::pair<Index, Index>, Index> face_of;
   const auto edge = [&](const Hull::Face& face, Index i) {

@@ -50,7 +50,8 @@ class RayAtHull {
     if (const Hull::Face* face = walk_from(last_)) return hit(*face);
     for (const Hull::Face& face : hull_.faces) {
       if (!may_be_entered(face) || !passes(face)) continue;
-      // The line enters here, so that a ray that begins outside and behind this plane is past it.
+      // The line enters the hull here, so that a ray that begins outside and behind this plane is
+      // past it.
       if (start_ == HullRayStart::Here && side_of_origin(face) != Sign::Negative)
         return std::nullopt;
       return hit(face);
@@ -64,7 +65,7 @@ class RayAtHull {
            dot(face.normal, origin_);
   }
 
-  /// Keeps of [enter_, exit_] what may be in the hull: false if that is surely nothing.
+  /// Keeps of [enter_, exit_] what may be in the hull; false if that is surely nothing.
   bool cut_by_planes() {
     for (const Hull::Face& face : hull_.faces) {
       const double to_plane = room(face);
@@ -83,22 +84,22 @@ class RayAtHull {
     return enter_ <= exit_;
   }
 
-  /// For an origin that no rounded plane shows to be outside.
+  /// True if the ray begins inside, for an origin that no rounded plane shows to be outside.
   bool begins_inside() const {
     return std::all_of(hull_.faces.begin(), hull_.faces.end(), [&](const Hull::Face& face) {
       return side_of_origin(face) != Sign::Negative;
     });
   }
 
-  /// Positive if the origin is behind the face's plane.
+  /// Returns Positive if the origin is behind the face's plane.
   Sign side_of_origin(const Hull::Face& face) const {
     const double rounded = room(face);
     if (std::abs(rounded) > room_error_) return rounded > 0 ? Sign::Positive : Sign::Negative;
     return exact_.side_of_origin(face);
   }
 
-  /// Whether the line may come from outside into the face within [enter_, exit_]. Twice the error,
-  /// as what these two were cut to has been rounded, too.
+  /// True if the line may come from outside into the face within [enter_, exit_]. Twice the error
+  /// is allowed, as both ends have been rounded, too.
   bool may_be_entered(const Hull::Face& face) const {
     const double slope = dot(face.normal, direction_);
     if (slope > kSlopeRoundings) return false;
@@ -106,9 +107,10 @@ class RayAtHull {
     return std::min(to_plane - enter_ * slope, to_plane - exit_ * slope) <= 2 * room_error_;
   }
 
-  /// The face through whose inside the line surely comes from outside: from one to the next over
-  /// edges that the line passes beyond. Null where a rounded sign is not sure, or after many steps:
-  /// where faces are nearly in line the first is a bad guess, and rounding may lead in a circle.
+  /// Returns the face through whose inside the line surely comes from outside: it goes from face to
+  /// face over edges that the line passes beyond. Returns null where a rounded sign is not sure, or
+  /// after many steps: where faces are nearly in line the first is a bad guess, and rounding may
+  /// lead in a circle.
   const Hull::Face* walk_from(const Hull::Face* face) const {
     constexpr int kMostSteps = 64;
     for (int step = 0; step < kMostSteps && face != nullptr; ++step) {
@@ -130,7 +132,7 @@ class RayAtHull {
     return is_sure ? &face : nullptr;
   }
 
-  /// Whether the line goes from outside through the closed face.
+  /// True if the line goes from outside through the closed face.
   bool passes(const Hull::Face& face) const {
     bool is_through = false;
     for (std::uint32_t i = 0; i < face.count; ++i) {
@@ -173,9 +175,9 @@ class RayAtHull {
   HullRayStart start_;
   ExactLine exact_{hull_, origin_, direction_};
   double room_error_, edge_error_;
-  double enter_, exit_;               ///< outside of these no s of this part is in the hull
+  double enter_, exit_;               ///< no s outside of these is in the hull
   const Hull::Face* last_ = nullptr;  ///< the face whose plane set `enter_`
-  bool is_surely_outside_ = false;    ///< whether the origin surely is
+  bool is_surely_outside_ = false;    ///< true if the origin surely is outside
 };
 
 }  // namespace

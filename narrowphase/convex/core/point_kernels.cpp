@@ -1,6 +1,6 @@
-// What of many points is farthest in a direction, for each SIMD target that the compiler knows; the
-// widest that the CPU has is chosen when the program runs. No operation is fused and each is in its
-// place in dot() of vector.h, so that all of them round alike.
+// Finds which of many points is farthest in a direction, for each SIMD target that the compiler
+// knows; the widest that the CPU has is chosen when the program runs. No operation is fused and
+// each is in its place in dot() of vector.h, so that all of them round alike.
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "graze/narrowphase/convex/core/point_kernels.cpp"
@@ -43,7 +43,7 @@ std::size_t farthest(const PointPointers& p, std::size_t count, const Vec3& dire
   std::size_t best = 0, i = 0;
   double most = along_one(p, 0, d);
   if (count >= lanes) {
-    // Each lane has its own; numbers of points are exact as doubles.
+    // Each lane has a farthest point of its own; numbers of points are exact as doubles.
     Lanes most_of = along(p, 0, d), first_of = hn::Zero(tag);
     for (i = lanes; i + lanes <= count; i += lanes) {
       const Lanes here = along(p, i, d);

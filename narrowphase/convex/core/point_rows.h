@@ -1,7 +1,7 @@
 #pragma once
 
-// Points coordinate by coordinate, for sets of which many support points are asked. Private to
-// graze.
+// Stores points coordinate by coordinate, for sets of which many support points are asked. Private
+// to graze.
 
 #include <graze/narrowphase/convex/core/vector.h>
 
@@ -16,7 +16,7 @@ struct PointPointers {
   const double* z;
 };
 
-/// Several points are compared at once, with the same answers as one by one on any CPU.
+/// Compares several points at once, with the same answers as one by one on any CPU.
 class PointRows {
  public:
   void clear() { x_.clear(), y_.clear(), z_.clear(); }
@@ -25,12 +25,12 @@ class PointRows {
   }
   void resize(std::size_t count) { x_.resize(count), y_.resize(count), z_.resize(count); }
 
-  /// The number of the first of the points that are farthest in a direction, of the first `count`,
-  /// one at least.
+  /// Returns the number of the first of the points that are farthest in a direction, of the first
+  /// `count`, one at least.
   std::size_t farthest(const Vec3& direction, std::size_t count) const;
 
-  /// The number of the first point from that one on that lies at least so far along a direction;
-  /// how many points there are if none does.
+  /// Returns the number of the first point from that one on that lies at least so far along a
+  /// direction, and how many points there are if none does.
   std::size_t next_beyond(const Vec3& direction, double along, std::size_t from) const;
 
  private:

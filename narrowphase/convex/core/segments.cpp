@@ -10,20 +10,20 @@ namespace {
 constexpr double kSmallOfFour = 0x1p-200;
 constexpr double kLargeOfFour = 0x1p200;
 
-/// What brings a length to between 1 and 2; 1 for 0.
+/// Returns the factor that brings a length to between 1 and 2; 1 for 0.
 double unit_scale(double length) {
   return length > 0 ? std::scalbn(1.0, -std::ilogb(length)) : 1;
 }
 
-/// What brings the largest coordinate of a vector, not zero, to between 1 and 2.
+/// Returns the factor that brings the largest coordinate of a vector, not zero, to between 1 and 2.
 double to_units_of(const Vec3& a) {
   return unit_scale(largest(a));
 }
 
-// Where the line from r along a is nearest to that from 0 along b, in lengths of a. The offset
-// between them is along c = a x b, so that s c.c = -(r x b).c. Let t be the sine of the angle:
-// lines part by t for each unit that s |a| is off. c is off by 3.5 u |a| |b|, which is e = 3.5 u /
-// t of itself.
+// Finds where the line from r along a is nearest to that from 0 along b, in lengths of a. The
+// offset between them is along c = a x b, so that s c.c = -(r x b).c. Let t be the sine of the
+// angle: lines part by t for each unit that s |a| is off. c is off by 3.5 u |a| |b|, which is
+// e = 3.5 u / t of itself.
 //   Of r, what lies in the plane of a and b makes the numerator s c.c, which is off by e of itself
 //   and the square by 2 e: the offset is off by 11 u s |a|, and by 4 u of it that sum and quotient
 //   round. The numerator's own rounding, 7.5 u |r| |b| |c|, costs 7.5 u |r|.
@@ -81,17 +81,18 @@ NearestPoints nearest_of_segments(const Vec3& p_a, const Vec3& q_a, const Vec3& 
 namespace {
 
 // A triangle is narrow where the square of its height is below this share of that of its length.
-// Weights by products of four lengths are off by some u over that share: above it by 2^-34, mostly.
+// Weights by products of four lengths are off by some u over that share; for triangles that are not
+// narrow this is 2^-34, mostly.
 constexpr double kNarrow = 0x1p-16;
 
-/// By the square of the product of two of its sides, and their own.
+/// Tells it by the square of the product of two sides, and by their own squares.
 bool is_narrow(double of_product, double of_b, double of_c) {
   const double length = std::max(of_b, of_c);
   return !(of_product > kNarrow * (length * length));
 }
 
-/// Of a narrow triangle the point that is nearest in its inside, if there is one: along the longest
-/// edge to the foot, then across it. Nothing of that is worse known than corners are.
+/// Finds the nearest point inside a narrow triangle, if there is one, by going along the longest
+/// edge to the foot, then across it. Nothing there is worse known than corners are.
 bool find_inside_narrow(const Vec3* corner, const Vec3& point, Vec3& found) {
   int first = 0;
   double square = -1;
@@ -116,7 +117,8 @@ bool find_inside_narrow(const Vec3* corner, const Vec3& point, Vec3& found) {
 Vec3 nearest_on_triangle(const Core& triangle, const Vec3& point) {
   const Vec3* c = triangle.corner;
   const Vec3 edge_b = c[1] - c[0], edge_c = c[2] - c[0];
-  // Of degree four: by themselves these would overflow or underflow at lengths that shapes have.
+  // Weights are of degree four: by themselves these would overflow or underflow at lengths that
+  // shapes have.
   const double size = std::max(std::max(largest(edge_b), largest(edge_c)), largest(point - c[0]));
   const double scale = size > kSmallOfFour && size < kLargeOfFour ? 1 : unit_scale(size);
   const Vec3 ab = edge_b * scale, ac = edge_c * scale, ap = (point - c[0]) * scale;

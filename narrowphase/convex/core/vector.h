@@ -1,7 +1,8 @@
 #pragma once
 
-// Three doubles. Functions are static so that each source compiles its own, with the flags of the
-// floor: a copy that the linker shares with a user's could be one compiled with -ffast-math.
+// A vector is three doubles. Its functions are static so that each source compiles its own, with
+// the flags of the floor: a copy that the linker shares with a user's could be one compiled with
+// -ffast-math.
 
 #include <cmath>
 
@@ -41,7 +42,7 @@ static inline double length(const Vec3& a) {
   return std::sqrt(dot(a, a));
 }
 
-/// The largest absolute coordinate.
+/// Returns the largest absolute coordinate.
 static inline double largest(const Vec3& a) {
   const double x = std::abs(a.x);
   const double y = std::abs(a.y);
@@ -50,8 +51,8 @@ static inline double largest(const Vec3& a) {
   return xy > z ? xy : z;
 }
 
-/// The vector of length 1 in the direction of `a`; `otherwise` if that is 0 or not finite. Scaled
-/// first, so that no square overflows or underflows.
+/// Returns the vector of length 1 in the direction of `a`; `otherwise` if that is 0 or not finite.
+/// It is scaled first, so that no square overflows or underflows.
 static inline Vec3 unit_or(const Vec3& a, const Vec3& otherwise) {
   const double size = largest(a);
   if (!(size > 0) || !std::isfinite(size)) return otherwise;
@@ -59,7 +60,7 @@ static inline Vec3 unit_or(const Vec3& a, const Vec3& otherwise) {
   return scaled * (1 / length(scaled));
 }
 
-/// Some unit vector at right angles to the unit vector `n`.
+/// Returns some unit vector at right angles to the unit vector `n`.
 static inline Vec3 any_normal_to(const Vec3& n) {
   const Vec3 axis = std::abs(n.x) < 0.6 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
   return unit_or(cross(n, axis), axis);

@@ -5,7 +5,7 @@
 namespace graze::narrowphase {
 namespace {
 
-/// What of a core's axes matters.
+/// Says which of a core's axes matter.
 enum class Axes { Unknown, None, Last, All };
 
 bool is_ball(const Core& core) {
@@ -38,7 +38,7 @@ struct Frame {
   Vec3 axis[3];  ///< orthonormal
 };
 
-/// About `last`, the first axis as near to `first` as it may be.
+/// Returns the frame about `last` whose first axis is as near to `first` as it may be.
 Frame frame_about(const Vec3& last, const Vec3& first) {
   const Vec3 f2 = unit_or(last, {0, 0, 1});
   const Vec3 f0 = unit_or(first - f2 * dot(first, f2), any_normal_to(f2));
@@ -74,8 +74,8 @@ class Alignment {
  private:
   bool is_off_by_little() const { return 2 * off_ <= tolerance_; }
 
-  /// About the core's axis; of two bodies of revolution towards the other's middle, or, if that is
-  /// not aside, along the other's axis if that is.
+  /// Chooses a frame about the core's axis. For two bodies of revolution its first axis leads
+  /// towards the other's middle or, if that is not aside, along the other's axis if that is.
   void choose_frame(const Core& core, const Core& other) {
     frame_ = frame_about(core.axis[2], core.axis[0]);
     if (!is_turned_) return;
@@ -89,12 +89,12 @@ class Alignment {
     }
   }
 
-  /// Whether the core is turned about the frame's last axis, or about any.
+  /// True if the core is turned about the frame's last axis, or about any.
   bool is_about_last(const Core& core, Axes axes) const {
     return axes == Axes::None || nearest_axis(core.axis[2]) == 2;
   }
 
-  /// Of the frame's axes the one along which a direction points most.
+  /// Returns the axis of the frame along which a direction points most.
   int nearest_axis(const Vec3& direction) const {
     int nearest = 0;
     for (int k = 1; k < 3; ++k) {
@@ -109,20 +109,21 @@ class Alignment {
     return length(direction - axis * (dot(direction, axis) < 0 ? -1.0 : 1.0));
   }
 
-  /// No point of the core is further from where it would be if its axes were the frame's, as a
-  /// share of its bounding radius.
+  /// Returns a bound of how far points of the core are from where they would be if its axes were
+  /// the frame's, as a share of its bounding radius.
   double deviation(const Core& core, Axes axes) const {
     const Vec3* axis = core.axis;
     const double last = distance_to_axis(axis[2]);
     if (axes == Axes::All) return last + distance_to_axis(axis[0]) + distance_to_axis(axis[1]);
-    // From a turn about the last axis, or, of a ball, from any: how far from orthonormal they are.
+    // A body turned about its last axis, or a ball, turned about any, is off by how far from
+    // orthonormal the axes are.
     double off = axes == Axes::Last ? last : std::abs(dot(axis[2], axis[2]) - 1);
     for (int k = 0; k < 2; ++k)
       off += std::abs(dot(axis[k], axis[k]) - 1) + 2 * std::abs(dot(axis[k], axis[2]));
     return core.kind == CoreKind::Point ? 0 : off + 2 * std::abs(dot(axis[0], axis[1]));
   }
 
-  /// How long a core is along an axis of the frame, as far as that is a corner or an edge.
+  /// Returns how long a core is along an axis of the frame, as far as that is a corner or an edge.
   double half_along(const Core& core, int k) const {
     if (core.kind == CoreKind::Box) {
       double half = 0;
@@ -159,7 +160,7 @@ class Alignment {
     return found_if_sure();
   }
 
-  /// The radius around a polygon, of which a ball has nothing else.
+  /// Returns the radius around a polygon; a ball has nothing else.
   static double rounding_of(const Core& core) {
     return core.radius + (is_ball(core) ? core.half.x : 0);
   }
@@ -181,7 +182,7 @@ class Alignment {
   double tolerance_;
   Vec3 between_;
   Frame frame_;
-  bool is_turned_ = false;  ///< whether both are bodies of revolution
+  bool is_turned_ = false;  ///< true if both are bodies of revolution
   double off_ = 0;          ///< metres by which supports differ from those of aligned sets
   std::optional<Penetration> best_;
 };

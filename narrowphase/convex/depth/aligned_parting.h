@@ -6,9 +6,10 @@
 
 namespace graze::narrowphase {
 
-/// The least penetration of two sets that lie along one set of axes, by formula: nothing for any
-/// others. There a polytope is at its worst, as many directions are as good or nearly so. Proved to
-/// `tolerance`, metres, which says how far from aligned they may be.
+/// Returns the least penetration of two sets that lie along one set of axes, by formula, and
+/// nothing for any others. For such sets a polytope is at its worst, as many directions are as good
+/// or nearly so. The depth is proved to `tolerance`, metres, which says how far from aligned they
+/// may be.
 ///
 /// With x0, x1, x2 the squares of a unit direction's coordinates along the axes, the supports of a
 /// box, a segment, a cylinder and an ellipsoid about its centre are sums of roots of linear

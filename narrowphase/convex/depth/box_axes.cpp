@@ -13,14 +13,14 @@ namespace {
 constexpr double kParallel = 1e-6;
 constexpr double kEdgeGain = 0.95;
 
-// By how much a test along the axes must be sure, as a share of the offset between the middles and
-// of all half extents. verdict() stands for may_overlap(), whose slack (../volumes/obb_slack.h) is
-// below 18 dev of the half extents and which takes either box's frame, dev being
-// kMaxRotationDeviation. Projected radii are the same there but for the order of sums. An offset
-// along an axis of B it takes from A's frame: off by 3.1 dev of the offset between the middles. An
-// offset along a product it takes in either frame, in each by the frame's determinant, off from 1
-// by 4.5 dev, and with unit vectors for the frame's own axes, off by 1.8 dev: by 12.6 dev in all.
-// The offset is at most the sum of its coordinates and dev of that. Rounding is nothing beside.
+// A test along the axes must be sure by this share of the offset between the middles and of all
+// half extents. verdict() stands for may_overlap(), whose slack (../volumes/obb_slack.h) is below
+// 18 dev of the half extents and which takes either box's frame, dev being kMaxRotationDeviation.
+// Projected radii are the same there but for the order of sums. An offset along an axis of B it
+// takes from A's frame: off by 3.1 dev of the offset between the middles. An offset along a product
+// it takes in either frame, in each by the frame's determinant, off from 1 by 4.5 dev, and with
+// unit vectors for the frame's own axes, off by 1.8 dev: by 12.6 dev in all. The offset is at most
+// the sum of its coordinates and dev of that. Rounding is nothing beside.
 constexpr double kSure = 32 * kMaxRotationDeviation;
 
 }  // namespace

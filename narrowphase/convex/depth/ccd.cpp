@@ -7,9 +7,7 @@
 namespace graze::narrowphase {
 namespace {
 
-/// What both callbacks share. Once the budget is spent, or a point is not finite, the callback
-/// leaves libccd for good: MPR holds no memory and no frame between here and there has anything to
-/// destroy, so that a jump is safe, and no arithmetic can loop on.
+/// Holds what both callbacks share.
 struct Attempt {
   double to_units;
   std::jmp_buf end;

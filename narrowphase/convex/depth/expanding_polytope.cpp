@@ -14,12 +14,13 @@ struct Face {
 
 constexpr int kMostFaces = 2 * kMostPolytopeCorners;
 
-/// The planes of faces, each coordinate in a row of its own: all are asked about each new corner.
+/// Holds the planes of faces, each coordinate in a row of its own: all are asked about each new
+/// corner.
 struct Planes {
-  double x[kMostFaces];  ///< of a unit normal
+  double x[kMostFaces];  ///< a coordinate of the unit normals
   double y[kMostFaces];
   double z[kMostFaces];
-  double height[kMostFaces];  ///< above the origin along the normal
+  double height[kMostFaces];  ///< metres above the origin along the normal
 
   Vec3 normal(int i) const { return {x[i], y[i], z[i]}; }
   void set(int i, const Vec3& normal, double its_height) {
@@ -57,7 +58,8 @@ class Polytope {
   }
 
  private:
-  /// The corner of the difference A - B farthest along a direction; remembers the least plane.
+  /// Returns the corner of the difference A - B farthest along a direction, and remembers the least
+  /// plane.
   Vec3 look_along(const Vec3& direction) {
     const Vec3 corner = rounded_support(a_, direction) - rounded_support(b_, -direction);
     const double height = dot(corner, direction);
@@ -77,7 +79,7 @@ class Polytope {
     return is_ahead ? ahead : behind;
   }
 
-  /// Four support points with a volume.
+  /// Finds four support points with a volume.
   bool start() {
     const Vec3 first = unit_or(b_.at - a_.at, {1, 0, 0});
     const Vec3 p0 = look_along(first);
@@ -97,8 +99,9 @@ class Polytope {
     return true;
   }
 
-  /// A face that is narrower than rounding has no normal worth asking: it keeps the surface closed
-  /// and is never the nearest nor seen. Its neighbours, which share its long edges, stand for it.
+  /// Adds a face. One that is narrower than rounding has no normal worth asking: it keeps the
+  /// surface closed and is never the nearest nor seen. Its neighbours, which share its long edges,
+  /// stand for it.
   void add_face(int i, int j, int k) {
     const Vec3& p = corners_[i];
     const Vec3 u = corners_[j] - p;
@@ -122,10 +125,10 @@ class Polytope {
     return nearest;
   }
 
-  /// What no depth is below, by the nearest face. From inside of the polytope that is its height.
-  /// Where the origin is outside, as of cores whose radii alone overlap, some edge or corner may be
-  /// what is nearest, and heights of faces prove nothing; but to any point of the polytope the two
-  /// are no further apart than it is from the origin.
+  /// Returns a bound that no depth is below, by the nearest face. From inside of the polytope that
+  /// is the face's height. Where the origin is outside, as of cores whose radii alone overlap, some
+  /// edge or corner may be what is nearest, and heights of faces prove nothing; but to any point of
+  /// the polytope the two are no further apart than it is from the origin.
   ///
   /// Corners are off by the noise, and so is the plane within the face. A triangle's least altitude
   /// is its product over its longest side, that is sqrt(3) of the sum of coordinates at most:
@@ -147,10 +150,11 @@ class Polytope {
   }
 
   /// The plane of a narrow face may be off by its normal's rounding over its length, and another
-  /// than the nearest. But the least of what a unit direction makes of three corners is a bound of
-  /// the triangle's distance from the origin whatever the direction is, as no point of it makes
-  /// less, or more than its distance. Planes that promise more than their triangles keep are set
-  /// right; false if there are any that were below the bound.
+  /// face may be the nearest. But the least of what a unit direction makes of three corners is a
+  /// bound of the triangle's distance from the origin whatever the direction is: no point of the
+  /// triangle makes less than that, and none makes more than its own distance. Planes that promise
+  /// more than their triangles keep are set right; false if there are any that were below the
+  /// bound.
   bool has_right_planes() {
     bool are_right = true;
     for (int i = 0; i < face_count_ && lower_ >= 0; ++i) {
@@ -166,7 +170,7 @@ class Polytope {
   }
 
   /// Leaves of the bound of the nearest plane what holds for all triangles, those without a plane
-  /// among them. A bound above the depth is none: rounding has torn the polytope.
+  /// among them. A bound above the depth is no bound: rounding has torn the polytope.
   void prove() {
     double least = lower_ + noise_;
     for (int i = 0; i < face_count_ && lower_ >= 0; ++i) {
@@ -183,7 +187,7 @@ class Polytope {
                              dot(corners_[face.corner[2]], direction)));
   }
 
-  /// The normal of a face without what rounding leaves of it along the longest edge.
+  /// Returns the normal of a face without what rounding leaves of it along the longest edge.
   Vec3 without_longest_edge(int i) const {
     const int* corner = faces_[i].corner;
     Vec3 longest;
@@ -195,7 +199,7 @@ class Polytope {
     return unit_or(normal - longest * (dot(normal, longest) / dot(longest, longest)), normal);
   }
 
-  /// The same bound along the way to the nearest point of a face's triangle.
+  /// Returns the same bound along the way to the nearest point of a face's triangle.
   double along_nearest(int i) const {
     Core triangle;
     triangle.kind = CoreKind::Triangle;
@@ -236,7 +240,7 @@ class Polytope {
     return true;
   }
 
-  /// An edge whose other side was seen, too, is none of the horizon.
+  /// Adds an edge to the horizon, or takes it away if its other side was seen, too.
   static bool toggle(Edge (&horizon)[kMostFaces], int& edges, const Edge& edge) {
     for (int i = 0; i < edges; ++i) {
       if (horizon[i].from != edge.to || horizon[i].to != edge.from) continue;
@@ -251,7 +255,7 @@ class Polytope {
   PolytopeDepth result(bool is_closed) const { return {normal_, upper_, lower_, is_closed}; }
 
   static constexpr double kNarrowest = 4;
-  static constexpr double kLeaning = 3.5;  // above 2 sqrt(3)
+  static constexpr double kLeaning = 3.5;  // a bound above 2 sqrt(3)
 
   const Core& a_;
   const Core& b_;

@@ -21,7 +21,7 @@ double between(const Turn& s, const Turn& t) {
   return s.cosine * t.sine - s.sine * t.cosine;
 }
 
-/// By how much one support point reaches beyond the edge: a cos(t) + b sin(t).
+/// Says by how much one support point reaches beyond the edge: a cos(t) + b sin(t).
 struct Sinusoid {
   double a = 0;
   double b = 0;
@@ -33,7 +33,7 @@ struct Interval {
   Turn from, to;
   Sinusoid of_from, of_to;
   double bound;  ///< no direction between has a depth below that
-  Turn where;    ///< nor, as far as the two ends know, a lesser one than this
+  Turn where;    ///< the direction of the least depth between, as far as the two ends know
 };
 
 void bound(Interval& interval) {
@@ -47,7 +47,7 @@ void bound(Interval& interval) {
     const double value = std::max(s.at(turn), t.at(turn));
     if (value < interval.bound) interval.bound = value, interval.where = turn;
   };
-  // Where both are equal, and where either is least.
+  // The least is where both are equal, or where either is least.
   offer(t.b - s.b, s.a - t.a), offer(s.b - t.b, t.a - s.a);
   offer(-s.a, -s.b), offer(-t.a, -t.b);
 }
@@ -117,9 +117,9 @@ class ArcSearch {
   Turn best_;
 };
 
-/// By bisection for the multiplier of the nearest point of the surface.
-/// Eberly, "Distance from a Point to an Ellipse, an Ellipsoid, or a Hyperellipsoid" (2013).
-/// Outward at the point of the surface that is nearest, which is `depth` away.
+/// Returns the outward normal at the nearest point of the surface, which is `depth` away, by
+/// bisection for the multiplier of that point. Eberly, "Distance from a Point to an Ellipse, an
+/// Ellipsoid, or a Hyperellipsoid" (2013).
 std::optional<Vec3> nearest_normal(const Core& core, const Vec3& own, double& depth) {
   const Vec3& e = core.half;
   const auto beyond = [&](double t) {
@@ -203,13 +203,13 @@ std::optional<Exit> CornerExits::next(double limit) {
   return std::nullopt;
 }
 
-/// Whether the radius is what the parts of the surface are made of.
+/// True if the parts of the surface are made of the radius.
 bool CornerExits::is_rounded() const {
   return core_.kind == CoreKind::Point || core_.kind == CoreKind::Segment;
 }
 
-/// From the nearest point of what has been grown by the radius, if the corner is outside of that:
-/// through the round parts over its edges and corners.
+/// Returns the exit from the nearest point of the set grown by the radius, if the corner is outside
+/// of the set itself: through the round parts over its edges and corners.
 std::optional<Exit> CornerExits::of_nearest() const {
   Core corner;
   corner.at = corner_;
@@ -218,7 +218,8 @@ std::optional<Exit> CornerExits::of_nearest() const {
   return Exit{-unit_or(gap.point_b - gap.point_a, {0, 0, 1}), core_.radius - gap.upper};
 }
 
-/// The surface is `depth` from the corner along the outward direction, in the core's frame.
+/// Returns the exit where the surface is `depth` from the corner along the outward direction, in
+/// the core's frame.
 Exit CornerExits::exit(const Vec3& outward, double depth) const {
   return {-unit_or(turned(core_, outward), {0, 0, 1}), depth};
 }
@@ -254,12 +255,12 @@ std::optional<Exit> CornerExits::of_rounded() {
   const Vec3 nearest = nearest_on_segment(core_.at - half_axis, core_.at + half_axis, corner_);
   Vec3 away = corner_ - nearest;
   if (core_.kind == CoreKind::Segment) {
-    // Of a corner on the segment this is rounding, and no passage through the surface unless it
+    // For a corner on the segment this is rounding, and no passage through the surface unless it
     // leads across the segment, or out beyond an end.
     const double beyond = own_.z >= core_.half.z ? 1 : own_.z <= -core_.half.z ? -1 : 0;
     const Vec3 axis = unit_or(core_.axis[2], {0, 0, 1});
     for (int i = 0; i < 2 && !(beyond * dot(away, axis) > 0); ++i)
-      away = away - axis * dot(away, axis);  // the second takes what the first left
+      away = away - axis * dot(away, axis);  // the second step takes away what the first left
   }
   const double distance = length(away);
   if (!(distance > 0)) return std::nullopt;

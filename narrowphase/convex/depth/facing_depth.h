@@ -1,7 +1,7 @@
 #pragma once
 
-// How far a convex set reaches beyond an edge or a corner of a surface, along the directions that
-// the edge or the corner faces. With them a body leaves a mesh where it touches it.
+// Finds how far a convex set reaches beyond an edge or a corner of a surface, along the directions
+// that the edge or the corner faces. By such depths a body leaves a mesh where it touches it.
 
 #include <graze/narrowphase/convex/core/core.h>
 
@@ -11,7 +11,7 @@
 
 namespace graze::narrowphase {
 
-/// Moving a set by `depth` along `direction` takes it off a feature.
+/// A way out: moving a set by `depth` along `direction` takes it off a feature.
 struct Exit {
   Vec3 direction;    ///< unit, in which the set moves
   double depth = 0;  ///< metres
@@ -23,17 +23,17 @@ struct Exit {
 struct DirectionArc {
   Vec3 first;         ///< unit
   Vec3 aside;         ///< unit, at right angles to the first
-  double cosine = 1;  ///< of the angle
+  double cosine = 1;  ///< the cosine of the angle
   double sine = 0;
 };
 
-/// The least depth by which the set reaches beyond the line of an edge along any direction of the
-/// arc; `corner` is a point of the edge. Off by at most kFacingTolerance of the set's size, unless
-/// kMostSupports are spent.
+/// Returns the least depth by which the set reaches beyond the line of an edge along any direction
+/// of the arc; `corner` is a point of the edge. It is off by at most kFacingTolerance of the set's
+/// size, unless kMostSupports are spent.
 ///
-/// Each support point bounds the depth from below, all along the arc, by a sinusoid. An interval
-/// is halved where the sinusoids of its ends bound it least, the lowest bound first: for a polygon
-/// that visits its corners alone.
+/// Each support point bounds the depth from below, all along the arc, by a sinusoid. An interval is
+/// halved where the sinusoids of its ends bound it least, the lowest bound first; of a polygon this
+/// visits the corners alone.
 ///
 /// `deepest` is the core's support point against the arc's first direction. Where bounds show that
 /// no depth is below the limit the search ends, with one that is not.
@@ -43,14 +43,14 @@ Exit least_on_arc(const Core& core, const Vec3& corner, const DirectionArc& arc,
 inline constexpr double kFacingTolerance = 1e-7;
 inline constexpr int kMostSupports = 48;
 
-/// Ways in which a set leaves a corner: through each smooth part of its surface, the shortest.
+/// Lists ways in which a set leaves a corner: the shortest through each smooth part of its surface.
 class CornerExits {
  public:
   CornerExits(const Core& core, const Vec3& corner);
 
-  /// The next one whose depth is below `limit`, in no order; nothing if there are no more. Those
-  /// that lead in a direction which the corner does not face are of no use. A hull has one for each
-  /// face, an ellipsoid one, a box six; what a radius has been added to one more, over its edges.
+  /// Returns the next exit whose depth is below `limit`, in no order, and nothing if there are no
+  /// more. Exits in a direction that the corner does not face are of no use. A hull has one exit
+  /// for each face, an ellipsoid one, a box six; a set with a radius has one more, over its edges.
   std::optional<Exit> next(double limit);
 
  private:

@@ -7,19 +7,19 @@
 namespace graze::narrowphase {
 namespace {
 
-// Edges are looked for that the normal comes to be at right angles to within such an angle, a few
-// times what a polytope leaves it off.
+// The search looks for edges to which the normal is at right angles within this angle, a few times
+// what a polytope leaves it off.
 constexpr double kAside = 0x1p-7;
 
 // The sine of the angle beyond which nothing counts as nearby.
 constexpr double kMostTurn = 0x1p-4;
 
-// From a thousandth Newton's method comes to rounding in three steps.
+// Newton's method comes from a thousandth to rounding in three steps.
 constexpr int kMostSteps = 4;
 constexpr double kSettled = 0x1p-44;
 
-// A normal is not worse where the depth along it is more by rounding alone, and points lie along
-// it to the other share of the scale.
+// A normal is not worse where the depth along it is larger by the first share of the scale, which
+// is rounding alone, and points lie along it to the second.
 constexpr double kRounding = 0x1p-48;
 constexpr double kMeeting = 0x1p-36;
 
@@ -34,7 +34,8 @@ Vec3 across_axis(const Core& core, const Vec3& out) {
   return unit_or(out - core.axis[2] * dot(out, core.axis[2]), core.axis[0]);
 }
 
-/// On the side of a cylinder, or from a cone's apex to its rim, where it looks along a direction.
+/// Returns the line on the side of a cylinder, or from a cone's apex to its rim, where it looks
+/// along a direction.
 Ridge side_line(const Core& core, const Vec3& out) {
   const Vec3 up = core.axis[2] * core.half.z, aside = across_axis(core, out) * core.half.x;
   if (core.kind == CoreKind::Cone) return {core.at + up, aside - up * 2};
@@ -45,7 +46,8 @@ bool has_side_lines(const Core& core) {
   return core.kind == CoreKind::Cylinder || core.kind == CoreKind::Cone;
 }
 
-/// What of a core may be farthest along `out` or beside it; `aside` is a direction there.
+/// Returns the line of a core that may be farthest along `out` or beside it; `aside` is a direction
+/// there.
 Ridge ridge_near(const Core& core, const Vec3& out, const Vec3& aside) {
   if (core.kind == CoreKind::Point || core.kind == CoreKind::Ellipsoid) return {};
   if (!has_side_lines(core)) {
@@ -56,8 +58,8 @@ Ridge ridge_near(const Core& core, const Vec3& out, const Vec3& aside) {
   return std::abs(dot(line.unit(), out)) < kAside ? line : Ridge{};
 }
 
-/// The second derivative, for turns towards s and t, of how far a core reaches along `out`, a unit
-/// direction: at its rim, if it has one.
+/// Returns the second derivative, for turns towards s and t, of how far a core reaches along `out`,
+/// a unit direction: at its rim, if it has one.
 double bend(const Core& core, const Vec3& out, const Vec3& s, const Vec3& t) {
   if (core.kind == CoreKind::Ellipsoid) {
     const auto stretched = [&](const Vec3& direction) {
@@ -74,7 +76,7 @@ double bend(const Core& core, const Vec3& out, const Vec3& s, const Vec3& t) {
   return core.half.x * dot(across, s) * dot(across, t) / (sine * sine * sine);
 }
 
-/// The same where the core is farthest in one point.
+/// Returns the same where the core is farthest in one point.
 double bend_of_end(const Core& core, const Vec3& out, const Vec3& s, const Vec3& t) {
   if (core.kind == CoreKind::Cone && dot(side_line(core, out).direction, out) < 0) return 0;
   return bend(core, out, s, t);
@@ -119,7 +121,7 @@ class NearbyLeast {
     return has_side_lines(core) ? side_line(core, out) : ridge;
   }
 
-  /// At right angles to a line of either: those of cones turn with the normal.
+  /// Offers the normals at right angles to a line of either; a cone's line turns with the normal.
   void offer_both(Ridge of_a, Ridge of_b) {
     Vec3 normal = from_;
     const bool turns = a_.kind == CoreKind::Cone || b_.kind == CoreKind::Cone;
@@ -142,7 +144,8 @@ class NearbyLeast {
 
   static bool is_share(double share) { return share >= 0 && share <= 1; }
 
-  /// At right angles to a line of one of the two, which meets the other's farthest point.
+  /// Offers the normals at right angles to a line of one of the two, which meets the other's
+  /// farthest point.
   void offer_on(const Core& core, Ridge ridge) {
     const bool is_a = &core == &a_;
     const double sign = is_a ? 1 : -1;
@@ -176,12 +179,12 @@ class NearbyLeast {
     is_a ? meet_at(on_ridge, found.point_b) : meet_at(found.point_a, on_ridge);
   }
 
-  /// The share of a line where it is nearest to a point.
+  /// Returns the share of a line where it is nearest to a point.
   static double share_of(const Vec3& point, const Ridge& ridge) {
     return dot(point - ridge.from, ridge.direction) / dot(ridge.direction, ridge.direction);
   }
 
-  /// Where both are farthest in one point.
+  /// Offers the normal where both are farthest in one point.
   void offer_on_rims() {
     Vec3 normal = from_;
     for (int i = 0; i < kMostSteps; ++i) {

@@ -14,14 +14,15 @@
 namespace graze::narrowphase {
 namespace {
 
-// When a depth is refined: the tangent of the first tilt and that below which no more is gained,
-// how many directions are tried with each, and how often.
+// These numbers govern how a depth is refined: the tangent of the first tilt and that below which
+// no more is gained, how many directions are tried with each, and how often.
 constexpr double kMostTilt = 0x1p-2;
 constexpr double kLeastTilt = 0x1p-14;
 constexpr int kTiltsOfRound = 8;
 constexpr int kMostRounds = 48;
 
-/// Of fixed directions, that of the least width: the line between the middles and the axes of both.
+/// Returns the fixed direction of the least width: among the line between the middles and the axes
+/// of both.
 Penetration best_of_fixed(const Core& a, const Core& b) {
   const Vec3 between = unit_or(b.at - a.at, {0, 0, 1});
   Penetration best = along(a, b, between);
@@ -44,7 +45,7 @@ bool is_thin(const Core& core) {
 }
 
 /// The difference of two points or segments is flat: at right angles to it only the radii overlap,
-/// and less than those do nowhere. No polytope could close around it.
+/// and nowhere do they overlap less than that. No polytope could close around it.
 Penetration out_of_plane(const Core& a, const Core& b) {
   Penetration best = best_of_fixed(a, b);
   const Vec3 across = unit_or(cross(a.axis[2], b.axis[2]), best.normal);
@@ -56,7 +57,7 @@ Penetration out_of_plane(const Core& a, const Core& b) {
   return best;
 }
 
-/// Radii add the same to the width along any direction: so the polytope is one of the cores alone,
+/// Radii add the same to the width along any direction, so the polytope is that of the cores alone,
 /// which is flat where that of the sets is round. Cores whose difference has no volume are asked
 /// about with their radii.
 PolytopeDepth polytope_of_cores(const Core& a, const Core& b, double tolerance) {
@@ -72,7 +73,7 @@ PolytopeDepth polytope_of_cores(const Core& a, const Core& b, double tolerance) 
   return polytope_depth(a, b, tolerance);
 }
 
-/// Directions of the edges of a box and of a hull of few edges; none of other sets.
+/// Holds the directions of the edges of a box and of a hull of few edges; other sets have none.
 class EdgeDirections {
  public:
   explicit EdgeDirections(const Core& core) {
@@ -99,9 +100,9 @@ class EdgeDirections {
   std::size_t count_ = 0;
 };
 
-/// What parts two sets where no polytope closes: of many directions the few shortest ways out, each
-/// tilted to all sides, by half as much whenever no tilt makes it shorter. What is not proved to be
-/// the least need not be far from it.
+/// Finds what parts two sets where no polytope closes: it takes the few shortest ways out of many
+/// directions and tilts each to all sides, by half as much whenever no tilt makes it shorter. A way
+/// out that is not proved to be the least need not be far from it.
 class ShortestExits {
  public:
   ShortestExits(const Core& a, const Core& b) : a_(a), b_(b) {}
@@ -114,7 +115,7 @@ class ShortestExits {
     }
   }
 
-  /// Along the axes and the faces of both, and at right angles to edges of both.
+  /// Offers the axes and the faces of both, and the directions at right angles to edges of both.
   void offer_fixed() {
     const Vec3 between = unit_or(b_.at - a_.at, {0, 0, 1});
     offer(between, PenetrationSource::Fixed);
@@ -158,7 +159,7 @@ class ShortestExits {
 
   Penetration refined(Penetration best) const {
     if (!std::isfinite(best.depth)) return best;
-    double ahead = 1, aside = 0;  // turned on by as much as 3 + 4i is, which never comes round
+    double ahead = 1, aside = 0;  // each turned on by as much as 3 + 4i is, which never comes round
     double tilt = kMostTilt;
     for (int round = 0; round < kMostRounds && tilt > kLeastTilt; ++round) {
       const Vec3 base = best.normal;
@@ -217,8 +218,7 @@ Penetration penetration(const Core& a, const Core& b) {
   }
   if (const std::optional<Penetration> known = part_aligned(a, b, tolerance)) return *known;
   const PolytopeDepth found = polytope_of_cores(a, b, tolerance);
-  // A polytope of sets of which one is lost in the rounding of the other may close without a
-  // normal.
+  // A polytope may close without a normal if one of the sets is lost in the rounding of the other.
   if (found.is_closed && largest(found.normal) > 0) {
     Penetration result = along(a, b, found.normal);
     result.source = PenetrationSource::Polytope;

@@ -37,7 +37,8 @@ constexpr double kThinnest = 0x1p-80;
 /// What is left of lengths that are next to nothing may be off by some of these.
 constexpr double kLeast = 8 * std::numeric_limits<double>::denorm_min();
 
-/// What brings the largest of some lengths to between 1/2 and 1; 1 if all are 0.
+/// Returns the exponent that brings the largest of some lengths to between 1/2 and 1; 0 if all are
+/// 0.
 int exponent_of(double largest_length) {
   int exponent = 0;
   if (largest_length > 0) std::frexp(largest_length, &exponent);
@@ -97,7 +98,7 @@ class BallSearch {
   }
 
  private:
-  /// The foot on the plane, if it is inside: with the areas that it makes as weights.
+  /// Tries the foot on the plane, if it is inside, with the areas that it makes as weights.
   void try_face() {
     const PairVector normal = cross(edge_[0], edge_[1]);
     if (!(largest_component(normal) >= kThinnest)) return;
@@ -112,7 +113,7 @@ class BallSearch {
     offer_plane(is_away ? normal : PairVector{-normal.x, -normal.y, -normal.z});
   }
 
-  /// The foot on an edge, if it is between the ends, or else the nearer end.
+  /// Tries the foot on an edge, if it is between the ends, or else the nearer end.
   void try_edge(int i) {
     const PairVector& from = corner_[i];
     const PairVector& to = corner_[(i + 1) % 3];
@@ -130,7 +131,7 @@ class BallSearch {
     square_ = square;
   }
 
-  /// The plane across a direction before all corners, as a square of its distance.
+  /// Offers the plane across a direction before all corners, by the square of its distance.
   void offer_plane(const PairVector& direction) {
     const PairVector unit = in_units(direction);
     DoublePair least = dot(corner_[0], unit);
@@ -148,7 +149,7 @@ class BallSearch {
     normal_ = normal;
   }
 
-  /// The root of a square beyond the radius.
+  /// Returns how far the root of a square is beyond the radius.
   double beyond(const DoublePair& square) const {
     const double sum = std::sqrt(square.high) + radius_;
     const DoublePair radius{radius_, 0};
@@ -157,7 +158,7 @@ class BallSearch {
 
   const Sphere& ball_;
   PairVector corner_[3];
-  PairVector edge_[3];  ///< from corner i to the next, each in a unit of its own
+  PairVector edge_[3];  ///< the edge from corner i to the next, each in a unit of its own
   double radius_;
   int exponent_;
   PairVector nearest_{};

@@ -7,10 +7,11 @@
 namespace graze::narrowphase {
 namespace {
 
-// As core_gap.cpp derives it for supports, and closed_gap.cpp for feet and crossings.
+// The slack is that which core_gap.cpp derives for supports, and closed_gap.cpp for feet and
+// crossings.
 constexpr double kRelativeSlack = 128 * 0x1p-53;
 
-// As core_gap() calls a gap known.
+// A gap is known as core_gap() says.
 constexpr double kKnown = 0x1p-34 * (1 - 0x1p-8);
 
 // Edges at a smaller angle than about this part boxes no better than their faces.

@@ -6,10 +6,10 @@
 namespace graze::narrowphase {
 namespace {
 
-// Of the pair's scale, u = 2^-53: ends of segments are off by 2 u each. Where the lines cross is
-// off by 8 u, 2 u, and 17 u of the one segment's length, at most 2 (segments.cpp); its point by 5
-// u; two feet of points on segments by 12 u each, the offset between them by 4 u. A point's foot on
-// a box is off by less. Below 76 u in all.
+// These are shares of the pair's scale, with u = 2^-53: ends of segments are off by 2 u each. Where
+// the lines cross is off by 8 u, 2 u, and 17 u of the one segment's length, at most 2
+// (segments.cpp); its point by 5 u; two feet of points on segments by 12 u each, the offset between
+// them by 4 u. A point's foot on a box is off by less. In all that is below 76 u.
 constexpr double kRelativeSlack = 128 * 0x1p-53;
 
 struct Ends {
@@ -22,17 +22,19 @@ Ends ends_of(const Core& core) {
   return {core.at - half_segment, core.at + half_segment};
 }
 
-/// Half the width of a point or a segment along a direction.
+/// Returns half the width of a point or a segment along a direction.
 double projected_radius(const Core& core, const Vec3& direction) {
   return core.kind == CoreKind::Segment ? std::abs(dot(core.axis[2], direction)) * core.half.z : 0;
 }
 
-/// How far apart the planes across a unit direction are that support two points or segments.
+/// Returns how far apart the planes across a unit direction are that support two points or
+/// segments.
 double planes_apart(const Core& a, const Core& b, const Vec3& normal) {
   return dot(b.at - a.at, normal) - (projected_radius(a, normal) + projected_radius(b, normal));
 }
 
-/// Of a point beside a box: out of the faces that the point is beyond, and of no others.
+/// Returns the direction from a box to a point beside it: out of the faces that the point is
+/// beyond, and of no others.
 Vec3 out_of_box(const Core& box, const Core& point, const Vec3& otherwise) {
   const Vec3 own = into_own(box, point.at - box.at);
   const auto past = [](double offset, double half) {
@@ -42,9 +44,10 @@ Vec3 out_of_box(const Core& box, const Core& point, const Vec3& otherwise) {
   return unit_or(turned(box, offset), otherwise);
 }
 
-/// At right angles to the segments the direction is as well known as these are: of lines that cross
-/// by their product, off by 3.5 u / t where t is the sine of the angle, and by u once it is brought
-/// to right angles with one of the two, and so with the other but for t times the rest.
+/// Returns the direction at right angles to the segments, which is as well known as these are: that
+/// of lines that cross is their product, off by 3.5 u / t where t is the sine of the angle, and by
+/// u once it is brought to right angles with one of the two, and so to the other but for t times
+/// the rest.
 Vec3 across_segments(const Core& a, const Core& b, const Vec3& found) {
   Vec3 best = found;
   double most = planes_apart(a, b, found);

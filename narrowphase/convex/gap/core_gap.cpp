@@ -18,24 +18,25 @@ constexpr double kRelativeSlack = 128 * 0x1p-53;
 // Bounds that are closer than this to each other, relative to the gap, are one.
 constexpr double kRelativeGoal = 0x1p-46;
 
-/// Whether the bounds are close enough for curved cores that close in slowly, as a share of what
-/// users call the scale of a pair: 2^-34, less what rounding takes off the bounds of sets.
+/// The bounds are close enough at this share of what users call the scale of a pair, as curved
+/// cores close in slowly: 2^-34, less what rounding takes off the bounds of sets.
 constexpr double kRelativeTolerance = 0x1p-34 * (1 - 0x1p-8);
 
-// When looking across faces ends: after so many rounds, or when one gains less than this share.
+// Looking across faces ends after so many rounds, or when one gains less than this share.
 constexpr int kMostRounds = 16;
 constexpr double kWorthwhile = 0x1p-4;
 
-// How often the features at hand are looked along, and how far aside: along an edge by enough that
-// a corner of it goes before rounding, and by little enough that other features do not; around
-// round sides by ever less. Which directions are tried decides how soon a search ends, no answer.
+// These numbers say how often the features at hand are looked along, and how far aside: along an
+// edge by enough that a corner of it goes before rounding, and by little enough that other features
+// do not; around round sides by ever less. Which directions are tried decides how soon a search
+// ends, no answer.
 constexpr int kMostFeatureRounds = 4;
 constexpr double kTilt = 0x1p-20;
 constexpr double kMostTilt = 0x1p-8;
 constexpr double kLeastTilt = 0x1p-28;
 constexpr double kTiltShare = 0x1p-2;
 
-/// The directions of a face's edges.
+/// Holds the directions of a face's edges.
 class Edges {
  public:
   explicit Edges(const ContactFace& face) {
@@ -56,7 +57,8 @@ class Search {
  public:
   Search(const Core& a, const Core& b, const GapGoal& goal)
       : a_(a), b_(b), goal_(goal), scale_(pair_scale(a, b)), slack_(kRelativeSlack * scale_) {
-    // A power of two, so that scaling rounds nothing and no product of six lengths overflows.
+    // The unit is a power of two, so that scaling rounds nothing and no product of six lengths
+    // overflows.
     int exponent = 0;
     std::frexp(scale_, &exponent);
     to_units_ = std::ldexp(1.0, -exponent);
@@ -90,8 +92,8 @@ class Search {
     upper_ = length(nearest_.point);
   }
 
-  /// GJK from the simplex at hand, until it gains nothing or has taken kLargestSteps. Inside if the
-  /// cores touch.
+  /// Runs GJK from the simplex at hand, until it gains nothing or has taken kLargestSteps. The
+  /// answer is Inside if the cores touch.
   Step descend() {
     for (int step = 0; step < kLargestSteps; ++step) {
       if (!(upper_ > slack_units_)) return Step::Inside;
@@ -103,7 +105,8 @@ class Search {
         is_flat_ = false;
         continue;
       }
-      // No progress. The normal of a flat face may point anywhere: the point itself may do better.
+      // There is no progress. The normal of a flat face may point anywhere: the point itself may do
+      // better.
       if (is_flat_) {
         if (is_known()) break;
         found = look_across_faces();
@@ -185,7 +188,8 @@ class Search {
     return before - (upper_ - lower_) > kWorthwhile * before ? Step::Nearer : Step::None;
   }
 
-  /// The best direction so far, tilted to four sides, by less and less: round sides have no edges.
+  /// Looks along the best direction so far, tilted to four sides, by less and less: round sides
+  /// have no edges.
   Step look_around() {
     const Vec3 first = lower_ > 0 ? normal_ : unit_or(-nearest_.point, {1, 0, 0});
     const Vec3 side = any_normal_to(first);
@@ -201,8 +205,8 @@ class Search {
   }
 
   /// A direction that leans along an edge is off by as much as it leans, and one that leans about
-  /// it by the square of that alone. So those are asked that are at right angles to an edge of
-  /// either, and of each edge those about it, nearer and nearer to the best.
+  /// it is off by the square of that alone. So the directions at right angles to an edge of either
+  /// are asked, and for each edge those about it, nearer and nearer to the best.
   Step look_about_edges() {
     const double before = upper_ - lower_;
     const Edges of_a(face_along(a_, normal_)), of_b(face_along(b_, -normal_));
@@ -253,8 +257,8 @@ class Search {
 
   static constexpr std::size_t kMostOfFace = ContactFace::kMostCorners + 1;
 
-  /// The face that looks along a direction and the farthest point, as corners; of one size with the
-  /// core, so that both are measured in the same units.
+  /// Returns as corners the face that looks along a direction, and the farthest point, in a core of
+  /// the same size, so that both are measured in the same units.
   static Core part_along(const Core& core, const Vec3& toward, Vec3 (&corners)[kMostOfFace]) {
     Core part;
     part.kind = CoreKind::Points;
@@ -359,7 +363,7 @@ class Search {
   NearestPoint nearest_;
   Vec3 normal_;
   bool is_flat_ = false;
-  double lower_ = -1;  ///< at first below every bound that could matter
+  double lower_ = -1;  ///< starts below every bound that could matter
   double upper_ = 0;
 };
 

@@ -10,26 +10,26 @@ enum class GapVerdict {
   NotReached,  ///< the iterations ended in between: the bounds hold, the verdict is open
 };
 
-/// What is known of the gap between two cores, metres: lower <= gap <= upper, but for the rounding
-/// that `slack` bounds and that is taken off `lower`.
+/// Holds what is known of the gap between two cores, metres: lower <= gap <= upper, but for the
+/// rounding that `slack` bounds and that is taken off `lower`.
 struct CoreGap {
   GapVerdict verdict;
   double lower;
   double upper;
   double slack;
-  Vec3 point_a;  ///< of core A, and of core B, `upper` apart
+  Vec3 point_a;  ///< the points of core A and of core B, `upper` apart
   Vec3 point_b;
   Vec3 normal;  ///< unit, from A to B; where cores touch, the last direction of the search
 };
 
-/// When to stop before the gap is known as well as doubles can.
+/// Says when to stop before the gap is known as well as doubles can.
 struct GapGoal {
   double apart_beyond = -1;  ///< stop as soon as `lower` exceeds this; negative: never
   double near_enough = -1;   ///< stop as soon as `upper` is at most this; negative: never
 };
 
-/// The distance of two cores with its witnesses, by GJK. Every bound is a proof: `upper` is the
-/// distance of two points of the cores, `lower` that of two planes between them, which any
+/// Finds the distance of two cores with its witnesses, by GJK. Every bound is a proof: `upper` is
+/// the distance of two points of the cores, `lower` that of two planes between them, which any
 /// direction gives whatever its own error. Polytopes end after a few steps; curved cores close in
 /// on the answer, until the bounds are within 2^-34 of the scale or kLargestSteps are done.
 /// Gilbert, Johnson, Keerthi, "A fast procedure for computing the distance between complex objects

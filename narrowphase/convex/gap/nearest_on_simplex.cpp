@@ -5,7 +5,7 @@
 namespace graze::narrowphase {
 namespace {
 
-/// The best face so far: which points with which weights.
+/// Holds the best face so far: which points with which weights.
 struct Best {
   double square = std::numeric_limits<double>::infinity();
   Vec3 nearest;
@@ -33,7 +33,7 @@ void offer_vertex(Best& best, const DifferenceSimplex& s, int i) {
   offer(best, s.point[i], 1, {i, 0, 0}, {1, 0, 0});
 }
 
-/// Only if the nearest point lies between the two.
+/// Offers an edge only if the nearest point lies between its ends.
 void offer_edge(Best& best, const DifferenceSimplex& s, int i, int j) {
   const Vec3 edge = s.point[j] - s.point[i];
   const double square = dot(edge, edge);
@@ -43,7 +43,7 @@ void offer_edge(Best& best, const DifferenceSimplex& s, int i, int j) {
   offer(best, s.point[i] + edge * share, 2, {i, j, 0}, {1 - share, share, 0});
 }
 
-/// Only if the origin projects into the triangle.
+/// Offers a face only if the origin projects into it.
 void offer_face(Best& best, const DifferenceSimplex& s, int i, int j, int k) {
   const Vec3& a = s.point[i];
   const Vec3& b = s.point[j];
@@ -51,7 +51,8 @@ void offer_face(Best& best, const DifferenceSimplex& s, int i, int j, int k) {
   const Vec3 normal = cross(b - a, c - a);
   const double square = dot(normal, normal);
   if (!(square > 0)) return;
-  // By edges, which of points that are close are known far better than the points' products.
+  // Weights are found by edges: of points that are close, these are known far better than the
+  // points' products.
   const double u = dot(normal, cross(b, c - b));
   const double v = dot(normal, cross(c, a - c));
   const double w = dot(normal, cross(a, b - a));
@@ -74,7 +75,7 @@ void offer_triangle(Best& best, const DifferenceSimplex& s, int i, int j, int k)
   offer_face(best, s, i, j, k);
 }
 
-/// Whether the origin lies on the inner side of all four faces. A tetrahedron whose volume could be
+/// True if the origin lies on the inner side of all four faces. A tetrahedron whose volume could be
 /// rounding alone holds nothing: products of edges of length l are off by some 16 u l^3.
 bool holds_origin(DifferenceSimplex& s) {
   const Vec3& d = s.point[3];
@@ -97,8 +98,9 @@ bool holds_origin(DifferenceSimplex& s) {
   s.weight[1] = with_b / whole;
   s.weight[2] = with_c / whole;
   s.weight[3] = with_d / whole;
-  // A flat tetrahedron's weights are known badly; where they lead tells whether well enough: to
-  // less than what counts as touching, 2^-34 of the scale, of which the size is six times at most.
+  // A flat tetrahedron's weights are known badly. The point to which they lead tells whether well
+  // enough: it has to be nearer to the origin than what counts as touching, 2^-34 of the scale, of
+  // which the size is six times at most.
   const Vec3 led_to = ((s.point[0] * s.weight[0] + s.point[1] * s.weight[1]) +
                        (s.point[2] * s.weight[2] + s.point[3] * s.weight[3]));
   return largest(led_to) <= 0x1p-38 * size;
@@ -118,7 +120,7 @@ OriginSide reduce_to_nearest(DifferenceSimplex& simplex, NearestPoint& nearest) 
   if (n == 2) offer_edge(best, simplex, 0, 1);
   if (n == 3) offer_triangle(best, simplex, 0, 1, 2);
   if (n == 4) {
-    // Each edge once, each face once.
+    // Each edge is offered once, and each face once.
     offer_triangle(best, simplex, 0, 1, 2);
     offer_edge(best, simplex, 0, 3);
     offer_edge(best, simplex, 1, 3);

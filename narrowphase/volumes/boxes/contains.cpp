@@ -17,10 +17,10 @@ void check_point(const Eigen::Vector3d& point, const char* what) {
   }
 }
 
-/// The sign of (a + b) - bound, exactly, for finite doubles. Where the rounded sum, infinite or
-/// not, differs from the bound, it is on the right side of it, for rounding keeps order and the
-/// bound is a double. Otherwise what the sum lacks decides: with |a| >= |b| both differences below
-/// are exact (Dekker 1971) and representable, so that nothing overflows.
+/// Returns the sign of (a + b) - bound, exactly, for finite doubles. Where the rounded sum,
+/// infinite or not, differs from the bound, it is on the right side of it, for rounding keeps order
+/// and the bound is a double. Otherwise what the sum lacks decides: with |a| >= |b| both
+/// differences below are exact (Dekker 1971) and representable, so that nothing overflows.
 int compare_sum(double a, double b, double bound) {
   const double sum = a + b;
   if (sum != bound) return sum < bound ? -1 : 1;
@@ -29,8 +29,8 @@ int compare_sum(double a, double b, double bound) {
   return (lack > 0) - (lack < 0);
 }
 
-/// Each direction has one or two components that are not zero, each 1 or -1, the first of them 1.
-/// One coordinate alone is its sum with 0.
+/// True if the point is in the slab. Each direction has one or two components that are not zero,
+/// each 1 or -1, the first of them 1. One coordinate alone is its sum with 0.
 bool is_in_slab(const KDop<18>& kdop, int slab, const double* point) {
   double terms[2] = {0, 0};
   int count = 0;

@@ -1,5 +1,5 @@
-// find_overlaps() for each SIMD target that the compiler knows; the widest that the CPU has is
-// chosen when the program runs. Comparisons only: nothing is rounded.
+// Compiles find_overlaps() for each SIMD target that the compiler knows; the widest that the CPU
+// has is chosen when the program runs. It only compares, so nothing is rounded.
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "graze/narrowphase/volumes/boxes/kdop_kernels.cpp"
@@ -45,7 +45,7 @@ HWY_INLINE std::uint64_t overlapping(const A& a, const B& b, std::size_t first) 
   return bits[0];
 }
 
-/// Bit i of eight becomes the lowest bit of byte i: seven by a product in which no two meet.
+/// Makes bit i of eight the lowest bit of byte i: seven by a product in which no two meet.
 HWY_INLINE std::uint64_t byte_for_each(std::uint64_t bits) {
   const std::uint64_t low = ((bits & 0x7f) * 0x0002040810204081u) & 0x0001010101010101u;
   return low | (bits >> 7) << 56;
@@ -91,10 +91,10 @@ void kdop_pairs(const RowPointers<18>& a, const RowPointers<18>& b, std::size_t 
 using WholeTag = hn::CappedTag<std::int64_t, 8>;
 using Whole = hn::Vec<WholeTag>;
 
-// The bits of doubles as whole numbers in the order of the doubles, both zeros as 0: a double has a
-// sign and a size, which take the complement that whole numbers have. What is no number lies beyond
-// the infinity of its sign. Comparing these asks nothing of the control word, reads denormal
-// numbers whatever it says, and raises no exception.
+// The bits of doubles are taken as whole numbers in the order of the doubles, both zeros as 0: a
+// double has a sign and a size, which take the complement that whole numbers have. What is no
+// number lies beyond the infinity of its sign. Comparing these asks nothing of the control word,
+// reads denormal numbers whatever it says, and raises no exception.
 
 constexpr std::int64_t kSizeBits = std::numeric_limits<std::int64_t>::max();
 constexpr std::int64_t kLargestFinite = 0x7fefffffffffffff;
@@ -136,7 +136,7 @@ KDopPairAnswer one_pair(const KDop<18>& a, const KDop<18>& b) {
       std::min(min_a, min_b) < -kLargestFinite || std::max(max_a, max_b) > kLargestFinite)
       [[unlikely]]
     return KDopPairAnswer::Invalid;
-  // Without a branch: where two k-DOPs lie is as good as drawn by lot.
+  // This has no branch: where two k-DOPs lie is as good as drawn by lot.
   const bool are_apart = !hn::AllFalse(tag, is_apart) | (min_a > max_b) | (min_b > max_a);
   return are_apart ? KDopPairAnswer::Apart : KDopPairAnswer::MayOverlap;
 }

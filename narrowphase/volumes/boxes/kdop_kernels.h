@@ -1,8 +1,8 @@
 #pragma once
 
-// Slab by slab overlap, a SIMD width at a time: of k-DOPs, and of boxes, which are k-DOPs of three
-// slabs. Plain arrays at the border: the minima of all slabs, then the maxima. Rows are padded to
-// whole blocks of eight (volume_rows.h); hits are not.
+// Tests the overlap of k-DOPs slab by slab, a SIMD width at a time; boxes are k-DOPs of three
+// slabs. Callers hand over plain arrays: the minima of all slabs, then the maxima. Rows are padded
+// to whole blocks of eight (volume_rows.h); hits are not.
 
 #include <graze/bvh/kdop.h>
 #include <graze/narrowphase/volumes/volume_rows.h>
@@ -18,7 +18,7 @@ void find_overlaps(const std::array<double, 6>& one, const RowPointers<6>& many,
 void find_overlaps(const std::array<double, 18>& one, const RowPointers<18>& many,
                    std::size_t count, std::uint8_t* hits);
 
-/// Likewise for the elements i of both.
+/// Does the same for elements i of both.
 void find_overlaps(const RowPointers<6>& a, const RowPointers<6>& b, std::size_t count,
                    std::uint8_t* hits);
 void find_overlaps(const RowPointers<18>& a, const RowPointers<18>& b, std::size_t count,

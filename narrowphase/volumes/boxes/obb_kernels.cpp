@@ -1,6 +1,6 @@
-// may_overlap() for each SIMD target that the compiler knows; the widest that the CPU has is chosen
-// when the program runs. No operation is fused and each is in its place in obb_overlap.cpp and
-// bvh/value/separating_axes.h, so that all of them round alike.
+// Compiles may_overlap() for each SIMD target that the compiler knows; the widest that the CPU has
+// is chosen when the program runs. No operation is fused and each is in its place in
+// obb_overlap.cpp and bvh/value/separating_axes.h, so that all of them round alike.
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "graze/narrowphase/volumes/boxes/obb_kernels.cpp"
@@ -28,7 +28,7 @@ struct Boxes {
   const Lanes* axis(std::size_t i) const { return row + kAxisRow + 3 * i; }
 };
 
-/// Some boxes B in the frames of as many boxes A.
+/// Holds some boxes B in the frames of as many boxes A.
 struct InFrame {
   Lanes rotation[3][3];
   Lanes size[3][3];
@@ -49,7 +49,7 @@ HWY_INLINE Boxes load(const RowPointers<kObbRows>& many, std::size_t first) {
   return boxes;
 }
 
-/// is_second_first() in every lane. Nearly always the sums of the half extents decide.
+/// Answers is_second_first() in every lane. Nearly always the sums of the half extents decide.
 HWY_INLINE Mask second_first(const Boxes& a, const Boxes& b) {
   Mask is_second = hn::Lt(a.row[0], b.row[0]);
   Mask is_open = hn::Eq(a.row[0], b.row[0]);
@@ -102,8 +102,8 @@ HWY_INLINE InFrame in_frame(const Boxes& a, const Boxes& b) {
   return frame;
 }
 
-/// half + p0 q0 + p1 q1 + p2 q2: the radii of two boxes along an axis of one of them, in the order
-/// of bvh/value/separating_axes.h.
+/// Returns half + p0 q0 + p1 q1 + p2 q2: the radii of two boxes along an axis of one of them, in
+/// the order of bvh/value/separating_axes.h.
 HWY_INLINE Lanes projected_radius(Lanes half, const Lanes* p, Lanes q0, Lanes q1, Lanes q2) {
   const Lanes first = hn::Add(half, hn::Mul(p[0], q0));
   return hn::Add(hn::Add(first, hn::Mul(p[1], q1)), hn::Mul(p[2], q2));

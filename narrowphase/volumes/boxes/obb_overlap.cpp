@@ -85,7 +85,7 @@ bool may_overlap(const ObbRow& box_a, const ObbRow& box_b) {
                                        : may_overlap_in_order(box_a, box_b);
 }
 
-// In the frame of the aligned box, which is A.
+// All is in the frame of the aligned box, which is A.
 bool may_overlap(const Aabb& aligned, const ObbRow& oriented) {
   double rotation[3][3], size[3][3], offset[3], half_a[3];
   for (std::size_t i = 0; i < 3; ++i) {

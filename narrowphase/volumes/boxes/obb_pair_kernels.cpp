@@ -1,8 +1,9 @@
-// look_at_pair() for each SIMD target that the compiler knows; the widest that the CPU has is
-// chosen when the program runs. Lanes are the compiler's own, four doubles of which three are used:
-// Highway 1.0.3 has no vectors of a fixed four for every target, and a compiler makes two registers
-// of what does not fit one. No operation is fused, and of those that decide each is in its place in
-// obb_overlap.cpp, bvh/value/rigid.h and bvh/value/separating_axes.h, so that all round alike.
+// Compiles look_at_pair() for each SIMD target that the compiler knows; the widest that the CPU has
+// is chosen when the program runs. Lanes are the compiler's own, four doubles of which three are
+// used: Highway 1.0.3 has no vectors of a fixed four for every target, and a compiler makes two
+// registers of what does not fit one. No operation is fused, and of those that decide each is in
+// its place in obb_overlap.cpp, bvh/value/rigid.h and bvh/value/separating_axes.h, so that all
+// round alike.
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "graze/narrowphase/volumes/boxes/obb_pair_kernels.cpp"
@@ -51,19 +52,19 @@ HWY_INLINE Quad second_next(const Quad& v) {
   return __builtin_shufflevector(v, v, 2, 0, 1, 3);
 }
 
-/// Of the lanes 0 to 2.
+/// True if the mask is set in one of the lanes 0 to 2.
 HWY_INLINE bool any_of_three(const QuadMask& mask) {
   return ((mask[0] | mask[1]) | mask[2]) != 0;
 }
 
-/// A box as its pose has it: axis i in axes[i], and lane i of row[k] has its coordinate k.
+/// Holds a box as its pose has it: axis i in axes[i], and lane i of row[k] has its coordinate k.
 struct Box {
   Quad axes[3];
   Quad translation;
   Quad row[3];
   Quad half;
   double sum;
-  double deviation;  ///< from a rotation
+  double deviation;  ///< the deviation from a rotation
   QuadMask invalid;  ///< not zero in a lane where something keeps the box from being valid
 };
 
@@ -92,8 +93,8 @@ HWY_INLINE Box load_box(const Obb& box, double sum) {
   const Quad most = of_lengths > of_angles ? of_lengths : of_angles;
   const double most_of_two = most[0] > most[1] ? most[0] : most[1];
   result.deviation = most_of_two > most[2] ? most_of_two : most[2];
-  // Each comparison fails for what is no number. The determinant is the sum of the lanes of x times
-  // the cross product of y and z, close to +1 or -1 where the rest is valid.
+  // Each comparison fails for NaN. The determinant is the sum of the lanes of x times the cross
+  // product of y and z, close to +1 or -1 where the rest is valid.
   const Quad minors = x * (next_y * second_next(z) - second_next(y) * next_z);
   const Quad largest = all(std::numeric_limits<double>::max());
   const Quad limit = all(kMaxRotationDeviation);
@@ -105,14 +106,14 @@ HWY_INLINE Box load_box(const Obb& box, double sum) {
   return result;
 }
 
-/// slack() of obb_overlap.cpp, for sums in its range.
+/// Returns slack() of obb_overlap.cpp, for sums in its range.
 HWY_INLINE double slack_in_range(const Box& a, const Box& b) {
   const double deviating = a.deviation * (kDeviationOfA * a.sum + kDeviationOfAOnB * b.sum) +
                            b.deviation * (kDeviationOfB * b.sum);
   return (deviating + (kRoundingOfA * a.sum + kRoundingOfB * b.sum)) + kObbUnderflow;
 }
 
-/// Box B in the frame of A.
+/// Holds box B in the frame of A.
 struct InFrame {
   Quad column[3];  ///< axis j of B, a lane for each axis of A
   Quad row[3];     ///< the same, a lane for each axis of B
@@ -160,7 +161,8 @@ HWY_INLINE QuadMask apart_by_edges(const InFrame& f, const Box& a, const Box& b,
   return apart;
 }
 
-/// `larger` has the larger sum of half extents, and is A in the terms of obb_slack.h.
+/// Looks at two boxes in order: `larger` has the larger sum of half extents, and is A in the terms
+/// of obb_slack.h.
 ObbPairAnswer look_in_order(const Obb& larger, double sum_a, const Obb& smaller, double sum_b) {
   const Box a = load_box(larger, sum_a), b = load_box(smaller, sum_b);
   if (any_of_three(a.invalid | b.invalid)) return ObbPairAnswer::Open;

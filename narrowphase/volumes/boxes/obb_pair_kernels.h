@@ -1,7 +1,7 @@
 #pragma once
 
-// One question about two oriented boxes in lanes: both are checked and told apart at once. What it
-// answers is what bvh::check_box() and may_overlap() answer, bit for bit.
+// Checks two oriented boxes and tells them apart at once, in lanes. The answer is what
+// bvh::check_box() and may_overlap() answer, bit for bit.
 
 #include <graze/bvh/obb.h>
 

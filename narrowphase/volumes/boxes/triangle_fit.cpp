@@ -17,7 +17,7 @@ namespace {
 
 using Corners = std::vector<Eigen::Vector3d>;
 
-/// Three for each triangle. Names the triangle of a coordinate that is not finite.
+/// Returns three corners for each triangle. Names the triangle of a coordinate that is not finite.
 Corners corners_of(std::span<const Triangle> triangles) {
   Corners corners;
   corners.reserve(3 * triangles.size());
@@ -33,9 +33,9 @@ Corners corners_of(std::span<const Triangle> triangles) {
   return corners;
 }
 
-/// The covariance of the surface in local units, or of the corners if there is no area. With the
-/// mean taken off first, a triangle of area A, middle m and corners p, q, r adds
-/// A / 12 (9 m m^T + p p^T + q q^T + r r^T).
+/// Returns the covariance of the surface in local units, or of the corners if there is no area.
+/// With the mean taken off first, a triangle of area A, middle m and corners p, q, r adds A / 12 (9
+/// m m^T + p p^T + q q^T + r r^T).
 Eigen::Matrix3d surface_covariance(const bvh::LocalPoints& corners) {
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
   double total = 0;

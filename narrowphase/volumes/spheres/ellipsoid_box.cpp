@@ -38,8 +38,8 @@ Verdict triage(const double* centre, const double* nearest, const double* semi_a
   return Verdict::Unsure;
 }
 
-/// sum e_i^2 prod_{j != i} a_j^2 <= prod a_j^2, over the axes with a_i > 0: the triage has seen
-/// that the others have e_i = 0.
+/// True if sum e_i^2 prod_{j != i} a_j^2 <= prod a_j^2, over the axes with a_i > 0: the triage has
+/// seen that the others have e_i = 0.
 bool is_touching_exactly(const double* centre, const double* nearest, const double* semi_axes) {
   CommonUnit unit({semi_axes[0], semi_axes[1], semi_axes[2]});
   unit.include(centre, 3);

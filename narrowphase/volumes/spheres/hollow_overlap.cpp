@@ -25,8 +25,8 @@ bool has_centre_inside(const Sphere& sphere, const Aabb& box) {
   return is_inside;
 }
 
-/// The sign of (high - low) - radius: rounding is monotone, so that the rounded difference is on
-/// the side of the exact one, or equal to the radius.
+/// Returns the sign of (high - low) - radius: rounding is monotone, so that the rounded difference
+/// is on the side of the exact one, or equal to the radius.
 std::optional<Sign> sign_of_depth(double low, double high, double radius) {
   const double depth = high - low;
   if (depth == radius) return std::nullopt;
@@ -38,8 +38,9 @@ Sign sign_of_depth_exact(double low, double high, double radius) {
   return (unit(high, low) - unit.of(radius)).sign();
 }
 
-/// Each sign is that of the distance from the centre minus the radius. `near_*` are about the
-/// nearest point of the solid box, `surface_*` of its surface, `far_*` about the farthest point.
+/// Each function returns the sign of the distance from the centre minus the radius. `near_*` are
+/// about the nearest point of the solid box, `surface_*` about that of its surface, `far_*` about
+/// the farthest point.
 std::optional<Sign> near_sign(const Sphere& sphere, const Aabb& box) {
   const double* c = sphere.centre.data();
   return sign_of_distance(c, nearest_point(box, c).data(), sphere.radius);
@@ -75,7 +76,8 @@ Sign surface_sign_exact(const Sphere& sphere, const Aabb& box) {
   return least;
 }
 
-/// About the farthest corner. The larger of two rounded offsets is the larger one, rounded.
+/// Returns the sign for the farthest corner. The larger of two rounded offsets is the larger one,
+/// rounded.
 std::optional<Sign> far_sign(const Sphere& sphere, const Aabb& box) {
   double offset[3];
   for (int i = 0; i < 3; ++i) {

@@ -1,6 +1,6 @@
-// Three methods for the squared distance of a centre from a box. They compute the same rounded
-// differences, one for each axis: centre and nearest point of the box are both inputs. So one bound
-// covers all, and one exact stage.
+// This file holds three methods for the squared distance of a centre from a box. They compute the
+// same rounded differences, one for each axis: centre and nearest point of the box are both inputs.
+// So one bound covers all, and one exact stage.
 
 #include <graze/narrowphase/volumes/sphere_box.h>
 #include <graze/narrowphase/volumes/spheres/sphere_distance.h>
@@ -63,8 +63,8 @@ Decision decide_quick_rejections(const Sphere& sphere, const Aabb& box) {
 
 namespace {
 
-/// max(x, 0), exact or infinite, which is then unsure, in a form that no compiler turns into a
-/// branch.
+/// Returns max(x, 0), exact or infinite, which is then unsure, in a form that no compiler turns
+/// into a branch.
 double positive_part(double x) {
   return 0.5 * (x + std::abs(x));
 }

@@ -1,7 +1,7 @@
 #pragma once
 
-// The distance from a centre to a point compared with a radius: what all tests of spheres are made
-// of. Points are arrays of three finite doubles, radii finite and not negative.
+// Compares the distance from a centre to a point with a radius, which all tests of spheres come
+// down to. Points are arrays of three finite doubles, radii finite and not negative.
 
 #include <graze/bvh/aabb.h>
 #include <graze/bvh/sphere.h>
@@ -26,11 +26,12 @@ namespace graze::narrowphase {
 inline constexpr double kSquareBound = 8 * 0x1p-53;
 inline constexpr double kSquareUnderflow = 0x1p-1000;
 
-/// The point of the solid box nearest to `point`, exactly: each coordinate is one of the inputs.
+/// Returns the point of the solid box nearest to `point`, exactly: each coordinate is one of the
+/// inputs.
 std::array<double, 3> nearest_point(const Aabb& box, const double* point);
 
-/// The sign of |offset|^2 - radius^2 where that is sure. Each component of the offset, and the
-/// radius, may be off by one rounding.
+/// Returns the sign of |offset|^2 - radius^2 where that is sure. Each component of the offset, and
+/// the radius, may be off by one rounding.
 inline std::optional<Sign> sign_of_offset(const double* offset, double radius) {
   const double distance2 = (offset[0] * offset[0] + offset[1] * offset[1]) + offset[2] * offset[2];
   const double radius2 = radius * radius;
@@ -41,22 +42,23 @@ inline std::optional<Sign> sign_of_offset(const double* offset, double radius) {
   return std::nullopt;
 }
 
-/// The sign of |to - from| - radius: where rounded arithmetic is sure of it, and by integers
-/// always.
+/// Returns the sign of |to - from| - radius: the first function where rounded arithmetic is sure of
+/// it, the second always, by integers.
 inline std::optional<Sign> sign_of_distance(const double* from, const double* to, double radius) {
   const double offset[3] = {to[0] - from[0], to[1] - from[1], to[2] - from[2]};
   return sign_of_offset(offset, radius);
 }
 Sign sign_of_distance_exact(const double* from, const double* to, double radius);
 
-/// The same for the radius radius_a + radius_b; the rounded stage rounds the sum within its bound.
+/// Does the same for the radius radius_a + radius_b; the rounded stage rounds the sum within its
+/// bound.
 inline std::optional<Sign> sign_of_distance(const double* from, const double* to, double radius_a,
                                             double radius_b) {
   return sign_of_distance(from, to, radius_a + radius_b);
 }
 Sign sign_of_distance_exact(const double* from, const double* to, double radius_a, double radius_b);
 
-/// The exact stages of decide() alone, for valid volumes.
+/// Ask the exact stages of decide() alone, for valid volumes.
 bool overlap_exactly(const Sphere& sphere_a, const Sphere& sphere_b);
 bool overlap_exactly(const Sphere& sphere, const Aabb& box);
 

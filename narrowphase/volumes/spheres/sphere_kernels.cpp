@@ -1,5 +1,5 @@
-// The kernels for each SIMD target that the compiler knows; the widest that the CPU has is chosen
-// when the program runs. No operation is fused, so that all of them round alike.
+// Compiles the kernels for each SIMD target that the compiler knows; the widest that the CPU has is
+// chosen when the program runs. No operation is fused, so that all of them round alike.
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "graze/narrowphase/volumes/spheres/sphere_kernels.cpp"
@@ -20,14 +20,14 @@ using Tag = hn::CappedTag<double, kAtOnce>;
 using Lanes = hn::Vec<Tag>;
 using Mask = hn::Mask<Tag>;
 
-/// One element, the same in every lane.
+/// One element, copied to every lane.
 template <std::size_t N>
 struct One {
   std::array<const double*, N> row;
   HWY_INLINE Lanes load(std::size_t r, std::size_t) const { return hn::Set(Tag(), *row[r]); }
 };
 
-/// Consecutive elements.
+/// Consecutive elements of each row.
 template <std::size_t N>
 struct Many {
   std::array<const double*, N> row;
@@ -66,8 +66,8 @@ struct Sure {
   Mask touching;
 };
 
-/// sign_of_offset() in every lane; nothing is sure where `is_valid` is not set. Comparisons with
-/// NaN are false.
+/// Answers sign_of_offset() in every lane; nothing is sure where `is_valid` is not set. Comparisons
+/// with NaN are false.
 HWY_INLINE Sure compare(Lanes x, Lanes y, Lanes z, Lanes radius, Mask is_valid) {
   const Tag tag;
   const Lanes distance2 = hn::Add(hn::Add(hn::Mul(x, x), hn::Mul(y, y)), hn::Mul(z, z));
@@ -93,7 +93,7 @@ struct JudgeSpheres {
   }
 };
 
-/// The offset from the centre to the box along one axis, without branches; clears lanes of
+/// Returns the offset from the centre to the box along one axis, without branches; clears lanes of
 /// `is_valid` where the maximum could hide that the numbers are no box, or no numbers.
 HWY_INLINE Lanes offset_to_box(Lanes centre, Lanes low, Lanes high, Mask& is_valid) {
   const Tag tag;
@@ -125,13 +125,13 @@ HWY_INLINE std::uint64_t bits_of(Mask mask) {
   return bits[0];
 }
 
-/// Bit i of the low byte becomes the lowest bit of byte i.
+/// Makes bit i of the low byte the lowest bit of byte i.
 HWY_INLINE std::uint64_t byte_for_each(std::uint64_t bits) {
   const std::uint64_t apart = (bits * 0x0101010101010101u) & 0x8040201008040201u;
   return ((apart + 0x7f7f7f7f7f7f7f7fu) >> 7) & 0x0101010101010101u;
 }
 
-/// Verdicts of the pairs from `first` on, at most a block of them.
+/// Writes verdicts of the pairs from `first` on, at most a block of them.
 template <typename Judge, typename A, typename B>
 HWY_INLINE void judge_block(const A& a, const B& b, std::size_t first, std::size_t count,
                             std::uint8_t* verdicts) {

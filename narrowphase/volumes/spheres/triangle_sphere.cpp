@@ -1,4 +1,4 @@
-// The exact stage, and the test as users call it.
+// This file holds the exact stage, and the test as users call it.
 //
 // The point of the triangle nearest to the centre is a vertex, inside an edge, or inside the face.
 // Each is asked for by signs of polynomials in exact differences, with the centre as the origin.
@@ -16,7 +16,7 @@ namespace narrowphase {
 namespace {
 
 struct Centred {
-  BigVector corner[3];  ///< as seen from the sphere's centre
+  BigVector corner[3];  ///< the corners as seen from the sphere's centre
   BigVector edge[3];    ///< from corner i to the next
   BigInteger radius2;
 };
@@ -40,7 +40,7 @@ bool is_at_most(const BigInteger& a, const BigInteger& b) {
   return (a - b).sign() != Sign::Positive;
 }
 
-/// Whether a vertex is within the radius: by polynomials of degree two.
+/// True if a vertex is within the radius, by polynomials of degree two.
 bool has_vertex_within(const Centred& t) {
   for (const BigVector& corner : t.corner) {
     if (is_at_most(squared(corner), t.radius2)) return true;
@@ -48,7 +48,7 @@ bool has_vertex_within(const Centred& t) {
   return false;
 }
 
-/// Whether the foot of the centre on an edge's line lies between the ends (degree two), and no
+/// True if the foot of the centre on an edge's line lies between the ends (degree two), and no
 /// farther than the radius: |a x f|^2 <= r^2 f^2 (degree four).
 bool has_edge_within(const Centred& t) {
   for (int i = 0; i < 3; ++i) {
@@ -61,8 +61,9 @@ bool has_edge_within(const Centred& t) {
   return false;
 }
 
-/// Whether the foot of the centre on the plane lies inside: its barycentric coordinates (a_i x a_j)
-/// . n are not negative (degree four). Its distance: (a . n)^2 <= r^2 n^2 (degree six).
+/// True if the foot of the centre on the plane lies inside, where its barycentric coordinates (a_i
+/// x a_j) . n are not negative (degree four), and no farther than the radius: (a . n)^2 <= r^2 n^2
+/// (degree six).
 bool has_face_within(const Centred& t) {
   const BigVector normal = cross(t.edge[0], t.edge[1]);
   const BigInteger normal2 = squared(normal);

@@ -1,5 +1,5 @@
-// A guess and two proofs. Rounded arithmetic guesses the nearest point of the triangle and a
-// direction that separates; then one bound proves that *some* point of the triangle, the one with
+// This is a guess and two proofs. Rounded arithmetic guesses the nearest point of the triangle and
+// a direction that separates; then one bound proves that *some* point of the triangle, the one with
 // the guessed weights, is within the radius, or that *this* direction separates, however it was
 // found. So the guess may be wrong: that costs a sure answer, never a right one. Notation as in
 // predicates.cpp: u is the unit roundoff, n the smallest double.
@@ -75,7 +75,8 @@ Centred centred(const Triangle& triangle, const Sphere& sphere) {
   return t;
 }
 
-/// Needs no bound, because rounding is monotone and the radius is a double.
+/// True if an axis separates the two. It needs no bound, because rounding is monotone and the
+/// radius is a double.
 bool is_apart_along_axes(const Centred& t) {
   bool is_apart = false;
   for (int k = 0; k < 3; ++k) {
@@ -99,7 +100,7 @@ void find_edges(const Triangle& triangle, Edges& edge) {
 }
 
 struct Guess {
-  double weight[3] = {0, 0, 0};  ///< of the corners, for the nearest point
+  double weight[3] = {0, 0, 0};  ///< weights of the corners, for the nearest point
   Vector direction;              ///< from the centre towards the triangle
 };
 
@@ -112,8 +113,8 @@ void guess_vertex(const Centred& t, Guess& guess) {
   std::copy_n(t.corner[nearest], 3, guess.direction);
 }
 
-/// The edge beyond whose line the centre lies, with its foot between the ends: there is at most one
-/// such. `weight` are the barycentric coordinates of the foot on the plane, scaled.
+/// Finds the edge beyond whose line the centre lies, with its foot between the ends: there is at
+/// most one such. `weight` are the barycentric coordinates of the foot on the plane, scaled.
 bool guess_edge(const Centred& t, const Edges& edge, const double* weight, Guess& guess) {
   for (int i = 0; i < 3; ++i) {
     const int j = (i + 1) % 3;
@@ -184,8 +185,8 @@ bool is_apart_along(const Vector& q, const Centred& t) {
 // larger of both in any coordinate. A ball at the rounded centre that is so much larger holds the
 // one that is there, and one that is so much smaller is held by it.
 struct MovedBall {
-  Sphere at;    ///< with the radius that it has
-  double room;  ///< what radii differ by
+  Sphere at;    ///< the ball with the radius that it has
+  double room;  ///< the difference by which radii are made larger or smaller
 };
 
 MovedBall moved(const Sphere& sphere, const Eigen::Vector3d& d, double until) {
@@ -203,7 +204,8 @@ MovedBall moved(const Sphere& sphere, const Eigen::Vector3d& d, double until) {
   return later;
 }
 
-/// Roughly, as seen from where the path, up to a time, is nearest to the point of these weights.
+/// Returns the triangle roughly as seen from where the path, up to a time, is nearest to the point
+/// of these weights.
 Centred passing_by(const double* weight, const Centred& at_start, const Eigen::Vector3d& d,
                    double until) {
   const double total = (weight[0] + weight[1]) + weight[2];
@@ -223,7 +225,7 @@ Centred passing_by(const double* weight, const Centred& at_start, const Eigen::V
   return passing;
 }
 
-// Once more than the sum rounds off.
+// The factors differ from 1 by more than the sum rounds off.
 constexpr double kLargerBall = 1 + 4 * kUnitRoundoff;
 constexpr double kSmallerBall = 1 - 4 * kUnitRoundoff;
 
@@ -241,9 +243,9 @@ Verdict triage(const Triangle& triangle, const Sphere& sphere) {
   return Verdict::Unsure;
 }
 
-// The hull of two balls is apart from what a plane separates from both. Where the nearest points at
-// neither end give such a plane, the ball passes the triangle in between: going from a point of the
-// triangle to the nearest of the path, and back, leads to where.
+// A plane that separates something from two balls separates it from their hull. Where the nearest
+// points at neither end give such a plane, the ball passes the triangle in between: going from a
+// point of the triangle to the nearest of the path, and back, leads to where.
 bool is_surely_passed(const Triangle& triangle, const Sphere& sphere, const Eigen::Vector3d& d,
                       double until) {
   constexpr int kSteps = 4;

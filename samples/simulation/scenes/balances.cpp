@@ -27,7 +27,7 @@ Scene empty(const std::string& name, Surface surface) {
   return scene;
 }
 
-/// Two cards that lean on each other, with their upper edges at x and their lower ones at z.
+/// Adds two cards that lean on each other, with their upper edges at x and their lower ones at z.
 void lean(Scene& scene, Surface surface, double x, double z) {
   constexpr double kHalf = 0.5, kThick = 0.01, kLean = 0.3;  // metres, metres, radians
   for (const double side : {-1, 1}) {
@@ -50,7 +50,7 @@ Scene card_house(Surface surface) {
   return scene;
 }
 
-/// Half a ring of wedges between two radii, the outermost standing on the floor.
+/// Builds half a ring of wedges between two radii, the outermost standing on the floor.
 Scene arch(Surface surface) {
   Scene scene = empty("arch", surface);
   constexpr int kWedges = 9;

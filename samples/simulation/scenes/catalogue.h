@@ -9,16 +9,16 @@
 
 namespace graze::samples {
 
-/// Which scenes are meant.
+/// Says which scenes are meant.
 struct CatalogueSettings {
   Extent extent = Extent::Small;
   std::filesystem::path data = "data";  ///< the folder of the bundled data
 };
 
-/// All of them, each kind of body as shapes and as meshes. Throws as load_mesh() does.
+/// Returns all of them, each kind of body as shapes and as meshes. Throws as load_mesh() does.
 std::vector<Scene> all_scenes(const CatalogueSettings& settings);
 
-/// The one of that name, or nothing.
+/// Returns the scene of that name, or nothing.
 std::optional<Scene> find_scene(const std::string& name, const CatalogueSettings& settings);
 
 }  // namespace graze::samples

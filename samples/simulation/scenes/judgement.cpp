@@ -9,7 +9,7 @@
 namespace graze::samples {
 namespace {
 
-/// How far the points of a body have come, at most.
+/// Returns a bound of how far the points of a body have come.
 double moved(const RigidBody& now, const RigidBody& before) {
   const double turned = 2 * (now.turn * before.turn.conjugate()).vec().norm();
   return (now.at - before.at).norm() + std::min(turned, 2.0) * now.bounding_radius;
@@ -19,12 +19,12 @@ double speed_of(const RigidBody& body) {
   return body.velocity.norm() + body.spin.norm() * body.bounding_radius;
 }
 
-/// NaN counts as worst.
+/// Raises the most to a value; NaN counts as worst.
 void raise(double& most, double value) {
   if (!(value <= most)) most = value;
 }
 
-/// What falling explains: all that is high or fast at first, come down to where the lowest is.
+/// Says what falling explains: all that is high or fast at first comes down to where the lowest is.
 class Falling {
  public:
   explicit Falling(const SceneRun& run) : gravity_(run.scene().gravity) {
@@ -37,7 +37,7 @@ class Falling {
     low_ = top_;
   }
 
-  /// The greatest excess over all bodies, m/s.
+  /// Returns the greatest excess over all bodies, m/s.
   double excess(const SceneRun& run) {
     double most = -std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < run.bodies().size(); ++i) {

@@ -12,7 +12,7 @@ namespace {
 
 using std::numbers::pi;
 
-/// For bodies of a centimetre: overlaps of a hundredth of a millimetre stay.
+/// Returns settings for bodies of a centimetre: overlaps of a hundredth of a millimetre stay.
 SolverSettings small_settings() {
   return {.iterations = 4, .relaxations = 2, .slop = 5e-6, .push_speed = 0.1, .hertz = 60};
 }

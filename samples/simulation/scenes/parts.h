@@ -7,22 +7,22 @@
 
 namespace graze::samples {
 
-/// The shape itself, or the closed mesh of its surface.
+/// Returns the shape itself, or the closed mesh of its surface.
 Shape as(Surface surface, const Shape& shape, const Fineness& fineness = {});
 
-/// "shape" or "mesh", for the names of scenes.
+/// Returns "shape" or "mesh", for the names of scenes.
 const char* name_of(Surface surface);
 
-/// Moved, and turned before, radians about an axis.
+/// Return a pose that moves a body, and before turns it, radians about an axis.
 Pose at(const Eigen::Vector3d& place);
 Pose at(const Eigen::Vector3d& place, double radians, const Eigen::Vector3d& axis);
 
-/// A body that never moves: a slab with its upper side at z = 0, so many metres from the middle to
-/// each side, and if it is a mesh of so many squares along each.
+/// Returns a body that never moves: a slab with its upper side at z = 0, so many metres from the
+/// middle to each side, and as a mesh of so many squares along each.
 SceneBody floor_of(Surface surface, double half_width = 3, int cells = 6);
 
-/// A drum that six corners above and six below span, the upper ones turned by half an angle:
-/// sides are triangles, both ends are flat.
+/// Returns a drum that six corners above and six below span, the upper ones turned by half an
+/// angle: sides are triangles, both ends are flat.
 ConvexHull drum(double radius, double half_height);
 
 }  // namespace graze::samples

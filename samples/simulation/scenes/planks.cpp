@@ -5,11 +5,11 @@
 namespace graze::samples {
 namespace {
 
-constexpr double kTable = 0.8;    // metres: its height
-constexpr double kThick = 0.025;  // half of a plank's
+constexpr double kTable = 0.8;    // metres, the table's height
+constexpr double kThick = 0.025;  // metres, half of a plank's thickness
 const Eigen::Vector3d kPlank{1.2, 0.15, kThick};
 
-/// A block with its top at the table's height; as a mesh of 48 triangles.
+/// Returns a block with its top at the table's height; as a mesh it has 48 triangles.
 SceneBody table(Surface surface, double x) {
   return {.name = "table",
           .shape = as(surface, Box{{0.3, 0.4, kTable / 2}}, {.cells = 2}),
@@ -45,7 +45,7 @@ std::vector<Scene> planks(Surface surface, Extent extent) {
   }
   Scene& outward = scenes.emplace_back(tables("plank.overhang", surface, {0}));
   lay(outward, surface, 0.2, 0);
-  // A plank of the one kind on tables of the other.
+  // This is a plank of one kind on tables of the other.
   const Surface other = surface == Surface::Analytic ? Surface::Mesh : Surface::Analytic;
   Scene& across = scenes.emplace_back(tables("plank.other_tables", surface, {}));
   for (const double x : {-0.8, 0.8})

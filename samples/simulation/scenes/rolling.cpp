@@ -11,13 +11,14 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kRadius = 0.5, kWay = 100;  // of the ball, metres
+constexpr double kRadius = 0.5, kWay = 100;  // metres, the ball's radius and the way that it rolls
 // Contact points are parts of the bodies until the world finds others: within a step they leave the
 // ground with a surface that rolls. So there are no substeps.
 constexpr int kSubsteps = 1;
 constexpr double kWheel = 0.3, kKerb = 0.02, kWheelSpeed = 3;  // metres, m/s
 
-/// A strip at z = 0 of squares in two triangles each, along diagonals and with corners at random.
+/// Returns a strip at z = 0 of squares in two triangles each, along diagonals and with corners at
+/// random.
 Mesh plane_of_triangles(double from, double to, double half_width, double edge) {
   std::mt19937_64 random(7);
   const auto uniform = [&](double low, double high) {
@@ -100,7 +101,7 @@ Scene wheel_over_kerb(Surface surface, Extent extent) {
                           .hold = Hold::Fixed,
                           .friction = 1});
   Pose upright = at({-0.3, 0, kWheel});
-  upright.linear() << 0, 1, 0, 0, 0, 1, 1, 0, 0;  // its axis along y
+  upright.linear() << 0, 1, 0, 0, 0, 1, 1, 0, 0;  // the wheel's axis lies along y
   // At each edge a prism that rolls loses 2/3 (1 - cos of a sector's angle) of its speed: 3 percent
   // in all the way with 720.
   const int sectors = extent == Extent::Small ? 720 : 1440;

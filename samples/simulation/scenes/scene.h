@@ -10,7 +10,7 @@
 
 namespace graze::samples {
 
-/// What the solver may do with a body of a scene.
+/// Says what the solver may do with a body of a scene.
 enum class Hold {
   Free,   ///< moves as forces make it
   Fixed,  ///< never moves
@@ -18,7 +18,7 @@ enum class Hold {
   Motor   ///< turns about its own z axis as fast as it began, whatever resists
 };
 
-/// A body of a scene. Metres, seconds, radians, kilograms.
+/// Holds a body of a scene. Metres, seconds, radians, kilograms.
 struct SceneBody {
   std::string name;
   Shape shape;
@@ -30,28 +30,28 @@ struct SceneBody {
   Eigen::Vector3d spin = Eigen::Vector3d::Zero();
 };
 
-/// What must come of a scene.
+/// Says what must come of a scene.
 enum class Outcome {
   Rests,  ///< everything comes to rest
   Moves,  ///< nothing needs to rest, but energy is not made and nothing flies
   Shown   ///< nothing is asked
 };
 
-/// Bodies over what is fixed, and how they are to be moved. z is up.
+/// Holds bodies over what is fixed, and says how they are to be moved. z is up.
 struct Scene {
   std::string name;
   std::vector<SceneBody> bodies;
   Outcome outcome = Outcome::Rests;
   int steps = 600;
   double step = 1.0 / 150;  ///< seconds: contacts are found once in each
-  int substeps = 4;         ///< in which the solver moves bodies by these contacts
-  double gravity = 9.81;    ///< m/s^2
-  /// Of a substep; its length is said above. Bodies are about half a metre wide.
+  int substeps = 4;  ///< the number of steps in which the solver moves bodies by these contacts
+  double gravity = 9.81;  ///< m/s^2
+  /// The settings of a substep; its length is said above. Bodies are about half a metre wide.
   SolverSettings solver = {
       .iterations = 6, .relaxations = 2, .slop = 5e-4, .hertz = 60, .keeps_push = true};
 };
 
-/// Whether bodies are shapes of formulas, or the closed meshes of their surfaces.
+/// Says whether bodies are shapes of formulas, or the closed meshes of their surfaces.
 enum class Surface { Analytic, Mesh };
 
 /// Small scenes take a second or less; large ones have several times the bodies and steps.

@@ -18,8 +18,9 @@ double core_seconds() {
   return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
-/// What is on an axle yields to no push and to no moment but one about its z axis; what a motor
-/// turns yields to none. The energy of such a body is that of its spin.
+/// Changes the mass of a body that is held. A body on an axle yields to no push and to no moment
+/// but one about its z axis; one that a motor turns yields to none. The energy of such a body is
+/// that of its spin.
 void hold(MassProperties& mass, Hold how) {
   if (how == Hold::Free) return;
   const double along = mass.inverse_inertia(2, 2);
@@ -32,7 +33,7 @@ bool has_weight(const RigidBody& body) {
   return body.mass->mass < std::numeric_limits<double>::infinity();
 }
 
-/// The solver's step is the substep.
+/// Returns the solver's settings, whose step is the substep.
 SolverSettings solver_settings(const Scene& scene) {
   SolverSettings settings = scene.solver;
   settings.step = scene.step / scene.substeps;
@@ -64,7 +65,7 @@ void SceneRun::add(const SceneBody& body) {
                   .spin = body.spin,
                   .bounding_radius = is_fixed ? 0 : bounding_radius_about(body.shape, mass.centre),
                   .friction = body.friction};
-  // Fixed bodies are among the solver's, too, as each has its own friction.
+  // Fixed bodies are among the solver's, too, because each has its own friction.
   rigid.id = world_.add(
       PlacedShapeView{body.shape, body.pose},
       {.kind = is_fixed ? BodyKind::Static : BodyKind::Dynamic, .user_data = bodies_.size()});

@@ -10,8 +10,8 @@
 
 namespace graze::samples {
 
-/// A scene on its way: a world, the solver, and the loop around both. Nobody sleeps, and the world
-/// is told of every move: what rests does so by its contacts.
+/// Runs a scene: a world, the solver, and the loop around both. Nobody sleeps, and the world is
+/// told of every move: bodies that rest do so by their contacts.
 class SceneRun {
  public:
   explicit SceneRun(const Scene& scene);
@@ -23,18 +23,18 @@ class SceneRun {
   double time() const { return steps_ * scene_.step; }  ///< seconds since it began
   int steps() const { return steps_; }
 
-  /// In the scene's order, what is fixed included.
+  /// Returns the bodies in the scene's order, fixed ones included.
   const std::vector<RigidBody>& bodies() const { return bodies_; }
-  /// The body of a name. Throws InputError if there is none.
+  /// Returns the body of a name. Throws InputError if there is none.
   const RigidBody& body(const std::string& name) const;
 
-  /// Kinetic and potential, joules; the latter is 0 at z = 0.
+  /// Returns the kinetic and potential energy, joules; the latter is 0 at z = 0.
   double energy() const;
-  /// The deepest contact of the last step, metres, and how many there were.
+  /// Return the deepest contact of the last step, metres, and how many contacts there were.
   double depth() const { return depth_; }
   std::size_t contact_count() const { return solver_.contact_count(); }
 
-  /// Seconds of one core since it began: finding contacts, and solving them.
+  /// Return the seconds of one core since the run began: finding contacts, and solving them.
   double world_seconds() const { return world_seconds_; }
   double solver_seconds() const { return solver_seconds_; }
 
@@ -45,9 +45,9 @@ class SceneRun {
   Scene scene_;
   World world_;
   ContactSolver solver_;
-  std::deque<MassProperties> masses_;  // bodies point at them
+  std::deque<MassProperties> masses_;  ///< bodies point at them
   std::vector<RigidBody> bodies_;
-  std::vector<std::size_t> woken_;  // stays empty: nobody sleeps
+  std::vector<std::size_t> woken_;  ///< stays empty: nobody sleeps
   std::vector<BodyId> ids_;
   std::vector<Pose> poses_;
   int steps_ = 0;

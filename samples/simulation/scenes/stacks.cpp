@@ -12,7 +12,7 @@ namespace {
 using Eigen::Vector3d;
 constexpr double kQuarter = std::numbers::pi / 2;
 
-/// Stands on an end, so many metres from the middle to each end.
+/// Describes a body that stands on an end, so many metres from the middle to each end.
 struct Standing {
   std::string name;
   Shape shape;
@@ -60,8 +60,8 @@ Scene pyramid(const Standing& kind, Surface surface, Extent extent) {
   return scene;
 }
 
-/// Lie on their sides between two walls, row on row like logs in a stack, each in the hollow
-/// between two below. `radius` is from the axis to what lies on the floor.
+/// Returns bodies that lie on their sides between two walls, row on row like logs in a stack, each
+/// in the hollow between two below. `radius` is from the axis to what lies on the floor.
 Scene woodpile(const std::string& name, const Shape& shape, double radius, Surface surface,
                Extent extent) {
   Scene scene = empty("woodpile." + name, surface, extent);
@@ -86,8 +86,8 @@ Scene woodpile(const std::string& name, const Shape& shape, double radius, Surfa
   return scene;
 }
 
-/// Such as no other rests on: side by side on the floor, and a cone on a box. What is round lies on
-/// the middle of its -x side, where its mesh has a facet.
+/// Returns bodies on which no other rests: side by side on the floor, and a cone on a box. A round
+/// body lies on the middle of its -x side, where its mesh has a facet.
 Scene singles(Surface surface, Extent extent) {
   Scene scene = empty("singles", surface, extent);
   const Fineness fine{.sectors = 32, .rings = 15};
@@ -107,7 +107,7 @@ Scene singles(Surface surface, Extent extent) {
   return scene;
 }
 
-/// One on the other, all kinds that have two flat ends, shapes and meshes by turns.
+/// Returns all kinds that have two flat ends, one on the other, shapes and meshes by turns.
 Scene mixed_stack(Extent extent) {
   Scene scene{.name = "stack.mixed", .bodies = {floor_of(Surface::Mesh)}};
   const auto shapes = standing(Surface::Analytic), meshes = standing(Surface::Mesh);

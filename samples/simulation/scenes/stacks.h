@@ -6,8 +6,8 @@
 
 namespace graze::samples {
 
-/// Stacks and pyramids of one kind of body each, and stacks of all kinds, that must stand: boxes,
-/// hulls and cylinders on each other; cylinders and capsules that lie between walls; cones,
+/// Returns stacks and pyramids of one kind of body each, and stacks of all kinds, that must stand:
+/// boxes, hulls and cylinders on each other; cylinders and capsules that lie between walls; cones,
 /// balls and ellipsoids alone or on top. Bodies begin where they touch.
 std::vector<Scene> stacks(Surface surface, Extent extent);
 

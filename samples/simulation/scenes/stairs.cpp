@@ -14,7 +14,8 @@ using Eigen::Vector3d;
 constexpr int kSteps = 4;
 constexpr double kTread = 0.5, kRise = 0.2, kHalfWidth = 1.0;  // metres
 
-/// Up along x from the origin. The mesh is one closed surface, the shapes are slabs on the floor.
+/// Builds stairs up along x from the origin. The mesh is one closed surface, the shapes are slabs
+/// on the floor.
 void build(Scene& scene, Surface surface) {
   if (surface == Surface::Analytic) {
     for (int i = 0; i < kSteps; ++i) {
@@ -27,7 +28,7 @@ void build(Scene& scene, Surface surface) {
     }
     return;
   }
-  // From the lowest corner at the back, so that a fan covers the profile.
+  // The profile begins at the lowest corner at the back, so that a fan covers it.
   std::vector<std::array<double, 2>> profile{{kTread * kSteps, 0}};
   for (int i = kSteps - 1; i >= 0; --i) {
     profile.push_back({kTread * (i + 1), kRise * (i + 1)});
@@ -40,7 +41,8 @@ void build(Scene& scene, Surface surface) {
                           .friction = 0.9});
 }
 
-/// In the middle of a step, `up` metres above it and `from_riser` from the next one's riser.
+/// Returns a pose in the middle of a step, `up` metres above it and `from_riser` from the next
+/// one's riser.
 Pose on_step(int step, double from_riser, double up, double y) {
   return at({kTread * (step + 1) - from_riser, y, kRise * (step + 1) + up});
 }
@@ -62,8 +64,8 @@ std::vector<Scene> stairs(Surface surface, Extent extent) {
     put_body(laden, "box", as(surface, Box{{0.1, 0.2, 0.1}}), on_step(0, 0.3, 0.1, y));
     put_body(laden, "drum", as(surface, drum(0.2, 0.1)), on_step(1, 0.25, 0.1, y));
     put_body(laden, "cylinder", as(surface, Cylinder{0.15, 0.2}), on_step(2, 0.25, 0.2, y));
-    // Its axis lies along the step, its -x faces down, and the riser touches another side: 24
-    // sectors have facets at every right angle.
+    // The cylinder's axis lies along the step, its -x faces down, and the riser touches another
+    // side: 24 sectors have facets at every right angle.
     const double flat = surface == Surface::Analytic ? 1 : std::cos(std::numbers::pi / 24);
     Pose lying = on_step(0, 0.06 * flat, 0.06 * flat, y);
     lying.linear() << 0, 1, 0, 0, 0, 1, 1, 0, 0;

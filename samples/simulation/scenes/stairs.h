@@ -6,8 +6,8 @@
 
 namespace graze::samples {
 
-/// Stairs, one body as a mesh or one slab a step, and on each step a body of another kind: a box, a
-/// drum, a cylinder that stands, one that lies along the step against the riser. And a plank that
+/// Returns stairs, one body as a mesh or one slab a step, and on each step a body of another kind:
+/// a box, a drum, a cylinder that stands, one that lies along the step against the riser. A plank
 /// lies on the edges of all steps, held by friction.
 std::vector<Scene> stairs(Surface surface, Extent extent);
 

@@ -32,7 +32,7 @@ Scene terrain(Surface surface, Extent extent, const std::filesystem::path& data)
     for (int j = 0; j < side; ++j) {
       const double x = middle.x() + apart * (i - 0.5 * (side - 1));
       const double y = middle.y() + apart * (j - 0.5 * (side - 1));
-      // 0.23 m is how far the farthest of them reaches.
+      // The farthest of them reaches 0.23 m.
       scene.bodies.push_back(
           {.name = "body" + std::to_string(scene.bodies.size()),
            .shape = kinds[(i + j) % 4],

@@ -18,19 +18,19 @@ using Fault = std::optional<WitnessFault>;
 /// Normals are unit to some ulp.
 constexpr double kUnitTolerance = 0x1p-48;
 
-/// What find_contacts() grants itself: of how far the contacts lie apart, for what the depth is
-/// short of parting the two; of the smaller shape, for the search of the least depth and for where
-/// points lie; and for points between boxes, of the depth.
+/// find_contacts() grants itself these shares: of how far the contacts lie apart, for what the
+/// depth is short of parting the two; of the smaller shape, for the search of the least depth and
+/// for where points lie; and of the depth, for points between boxes.
 constexpr double kExtentTolerance = 1e-4;
 constexpr double kSearchTolerance = 1e-6;
 constexpr double kPointTolerance = 0x1p-18;
 constexpr double kBoxShare = 0.05;
 
-/// Of the smaller shape: what is granted to other engines' contacts.
+/// This share of the smaller shape is granted to other engines' contacts.
 constexpr double kOthersTolerance = 1e-5;
 
-/// Of the smaller shape: farther off a point is wrong, though edges count as one and round faces as
-/// octagons, whose sides are up to a thirteenth of the radius inside.
+/// A point that is off by more than this share of the smaller shape is wrong, though edges count as
+/// one and round faces as octagons, whose sides are up to a thirteenth of the radius inside.
 constexpr double kEdgeTolerance = 1.0 / 16;
 
 double size_of(const PlacedBody& body) {
@@ -42,14 +42,14 @@ bool is(const PlacedBody& body, ShapeKind kind) {
   return body.shape.kind() == kind;
 }
 
-/// The size of the smaller one that is bounded.
+/// Returns the size of the smaller one that is bounded.
 double smaller_size(const PlacedBody& a, const PlacedBody& b) {
   if (flat_of(a.shape)) return size_of(b);
   if (flat_of(b.shape)) return size_of(a);
   return std::min(size_of(a), size_of(b));
 }
 
-/// Two convex bodies have one region, with up to four contacts.
+/// Checks the list: two convex bodies have one region, with up to four contacts.
 Fault fault_of_list(const std::vector<CaseShapeContact>& contacts, bool are_convex) {
   if (are_convex && contacts.size() > 4) return WitnessFault{"more than four contacts", 0};
   for (std::size_t i = 0; i < contacts.size(); ++i) {
@@ -73,7 +73,8 @@ double extent_of(const std::vector<CaseShapeContact>& contacts) {
   return extent;
 }
 
-/// Moving B by the greatest depth along the normal must part the two, and not much less will do.
+/// Checks that moving B by the greatest depth along the normal parts the two, and that not much
+/// less does.
 Fault fault_of_parting(const PlacedBody& a, const PlacedBody& b,
                        const std::vector<CaseShapeContact>& contacts, double tolerance) {
   const CaseShapeContact& deepest = contacts.front();
@@ -93,8 +94,8 @@ Fault fault_of_parting(const PlacedBody& a, const PlacedBody& b,
   return std::nullopt;
 }
 
-/// The same of another engine's contacts, of which the deepest may stand anywhere. Along its normal
-/// B may be free of A before a plane across it parts the two: both depths are ways out.
+/// Reviews that for another engine's contacts, of which the deepest may stand anywhere. Along its
+/// normal B may be free of A before a plane across it parts the two: both depths are ways out.
 PartsReview review_others_parting(const PlacedBody& a, const PlacedBody& b,
                                   const CaseShapeContact& deepest, double tolerance,
                                   std::string& truth) {
@@ -122,20 +123,20 @@ PartsReview review_others_parting(const PlacedBody& a, const PlacedBody& b,
   return review_least(a, b, way_out, truth);
 }
 
-/// How far a point is off the surface, inside or outside.
+/// Returns how far a point is off the surface, inside or outside.
 double off_surface(const PlacedBody& body, const Vector3d& point) {
   return std::abs(outside_by(body.shape, body.pose, point));
 }
 
-/// How far a point of a contact is from where it must be, at least.
+/// Says how far a point of a contact is from where it must be, at least.
 struct ShapePoint {
   const char* what;
   double off;
 };
 
-/// Each point is midway between the surfaces along the normal. Near a mesh the nearest surface may
-/// be another triangle's: there it is within the depth of both. Points that are named lie on
-/// surfaces.
+/// Returns the points of a contact. Each is midway between the surfaces along the normal. Near a
+/// mesh the nearest surface may be another triangle's: there it is within the depth of both. Points
+/// that are named lie on surfaces.
 std::vector<ShapePoint> points_of(const PlacedBody& a, const PlacedBody& b,
                                   const std::vector<CaseShapeContact>& contacts, bool has_mesh) {
   std::vector<ShapePoint> points;

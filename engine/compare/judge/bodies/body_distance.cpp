@@ -15,20 +15,20 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Normals are unit to some ulp. Of a search that did not end kShapeTolerance is asked.
+/// Normals are unit to some ulp. A search that did not end must be right to kShapeTolerance.
 constexpr double kUnitTolerance = 0x1p-48;
 
 bool is(const PlacedBody& body, ShapeKind kind) {
   return body.shape.kind() == kind;
 }
 
-/// By how much a plane across the unit direction has A behind it and B before it.
+/// Returns by how much a plane across the unit direction has A behind it and B before it.
 double gap_along(const PlacedBody& a, const PlacedBody& b, const Vector3d& n) {
   const double gap = -support_along(b.shape, b.pose, -n) - support_along(a.shape, a.pose, n);
   return std::isnan(gap) ? -std::numeric_limits<double>::infinity() : gap;
 }
 
-/// Of a number alone, without points and a normal that would show it.
+/// Reviews a number alone, without points and a normal that would show it.
 PartsReview review_number(const PlacedBody& a, const PlacedBody& b, double claimed,
                           double tolerance) {
   const DistanceBounds proved = distance_bounds(a, b);
@@ -42,8 +42,9 @@ PartsReview review_number(const PlacedBody& a, const PlacedBody& b, double claim
   return {.unjudged = beside("that nothing is nearer")};
 }
 
-/// A number below zero claims a touch, and by engines that say more, how deep it is: what they mean
-/// by that is theirs to say, so that another depth than the least is not judged wrong.
+/// Reviews a number below zero. It claims a touch and, by engines that say more, how deep it is.
+/// What they mean by that is theirs to say, so that another depth than the least is not judged
+/// wrong.
 PartsReview review_below_zero(const PlacedBody& a, const PlacedBody& b, double depth) {
   if (depth == 1) return {};  // no number at all
   if (is_surface(a) || is_surface(b)) return {.unjudged = "how deep"};
@@ -80,7 +81,8 @@ PartsReview review_distance(const PlacedBody& a, const PlacedBody& b, const Case
     const double between = (*answer.point_a - *answer.point_b).norm();
     if (std::abs(between - claimed) > tolerance)
       return fault("points that are not so far apart", std::abs(between - claimed));
-    // Of intersecting shapes it is a point in both; of a mesh, a surface, near what is met.
+    // For intersecting shapes it is a point in both; for a mesh, which is a surface, it is near
+    // what is met.
     const bool has_mesh = is(a, ShapeKind::Mesh) || is(b, ShapeKind::Mesh);
     for (const PlacedBody* body : {&a, &b}) {
       const double off =
@@ -101,7 +103,7 @@ PartsReview review_distance(const PlacedBody& a, const PlacedBody& b, const Case
     return answer.normal ? PartsReview{.unjudged = "the normal of what meets"} : PartsReview{};
   }
   if (answer.normal && answer.point_a && answer.point_b) {
-    // Whatever the shapes are: the normal leads from A to B.
+    // Whatever the shapes are, the normal leads from A to B.
     const double along = answer.normal->dot(*answer.point_b - *answer.point_a);
     if (along < -tolerance) return fault("a normal from B to A", -along);
   }

@@ -7,34 +7,34 @@
 
 namespace graze::compare {
 
-/// A mesh or a height field, which other ways lead out of than out of its hull.
+/// True for a mesh or a height field, which other ways lead out of than out of its hull.
 bool is_surface(const PlacedBody& body);
 
-/// How far B must go along a unit direction until a plane across it parts the two, metres; below 0
-/// if one does already.
+/// Returns how far B must go along a unit direction until a plane across it parts the two, metres;
+/// below 0 if one does already.
 double needed_along(const PlacedBody& a, const PlacedBody& b, const Eigen::Vector3d& n);
 
-/// How far a depth may be from what parts the two, metres: for graze what find_contacts() grants
-/// itself, with contacts as far apart as the smaller shape; for others, which compute partly in
-/// float, 1e-5 of its size.
+/// Returns how far a depth may be from what parts the two, metres: for graze what find_contacts()
+/// grants itself, with contacts as far apart as the smaller shape; for others, which compute partly
+/// in float, 1e-5 of its size.
 double parting_tolerance(const PlacedBody& a, const PlacedBody& b, bool is_graze);
 
-/// A translation of B that is said to part the two: its direction, of any length but zero, and its
-/// length and how far off that may be, metres.
+/// Describes a translation of B that is said to part the two: its direction, of any length but
+/// zero, its length, and how far off that may be, metres.
 struct WayOut {
   Eigen::Vector3d direction;
   double length = 0;
   double tolerance = 0;
 };
 
-/// Whether the two are apart, or merely touch, where B has gone: if not, they must go as far as the
-/// shortest way out is from there.
+/// Reviews whether the two are apart, or merely touch, where B has gone. If not, they must go as
+/// far as the shortest way out is from there.
 PartsReview review_parted(const PlacedBody& a, const PlacedBody& b, const WayOut& way_out);
 
-/// Whether another direction would do sooner, by least_parting(), and of two convex bodies whether
-/// none leads out so soon. Of two boxes a twentieth more is granted. Adds both bounds to the truth;
-/// what parts the hulls of surfaces parts the surfaces, but that nothing does sooner it does not
-/// prove. What is too long is ErrorClass::NotLeast.
+/// Reviews whether another direction would do sooner, by least_parting(), and for two convex bodies
+/// whether none leads out so soon. Two boxes are granted a twentieth more. Adds both bounds to the
+/// truth. A translation that parts the hulls of surfaces parts the surfaces, but that does not
+/// prove that none does sooner. One that is too long is ErrorClass::NotLeast.
 PartsReview review_least(const PlacedBody& a, const PlacedBody& b, const WayOut& way_out,
                          std::string& truth);
 

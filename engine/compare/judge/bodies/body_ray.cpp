@@ -12,12 +12,13 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kTolerance = 0x1p-38;         // of the scale
-constexpr double kUnitTolerance = 0x1p-48;     // of normals
-constexpr double kSupportTolerance = 0x1p-28;  // of the scale: a normal to about 1e-4
-constexpr int kSteps = 200;                    // each leaves two thirds of the interval
+constexpr double kTolerance = 0x1p-38;         // a share of the scale
+constexpr double kUnitTolerance = 0x1p-48;     // the tolerance of normals
+constexpr double kSupportTolerance = 0x1p-28;  // a share of the scale: it gives a normal to about
+                                               // 1e-4
+constexpr int kSteps = 200;                    // each step leaves two thirds of the interval
 
-/// For a plane the half-space behind it, as the ray's origin sees it.
+/// Returns the half-space behind a plane, as the ray's origin sees it.
 CaseBody behind_plane(const CaseBody& body, const Ray& ray) {
   const auto* plane = body.shape.as<Plane>();
   if (plane == nullptr) return body;
@@ -50,7 +51,7 @@ class BodyRay {
     find_least();
   }
 
-  /// At most zero in the body; convex along a ray.
+  /// Returns a level that is at most zero in the body, and convex along a ray.
   double level(double t) const {
     const Vector3d p = ray_.origin + t * direction_;
     const auto* egg = body_.shape.as<Ellipsoid>();
@@ -96,7 +97,7 @@ class BodyRay {
     if (!(off_unit <= kUnitTolerance)) return std::pair("a normal of another length", off_unit);
     const double along = hit.normal.dot(direction_);
     if (along > kSupportTolerance) return std::pair("a normal along the ray", along);
-    if (hit.distance == 0 && level(0) < -slack_) {  // it begins inside
+    if (hit.distance == 0 && level(0) < -slack_) {  // then the ray begins inside
       const double off = (hit.normal + direction_).norm();
       if (off > kUnitTolerance) return std::pair("a normal that is not against the ray", off);
       return std::nullopt;

@@ -14,11 +14,11 @@ namespace {
 /// to single precision.
 constexpr double kOurLength = 0x1p-46;
 
-/// Of two boxes all grant themselves a twentieth: a face is taken where two edges would be nearer
-/// by less, so that contacts do not change with each step.
+/// Where both are boxes the engines grant themselves a twentieth: a face is taken where two edges
+/// would be nearer by less, so that contacts do not change with each step.
 constexpr double kBoxGrant = 0.05;
 
-/// So near, of what is granted, the bounds of a shortest translation are looked for.
+/// The bounds of a shortest translation are looked for to this share of what is granted.
 constexpr double kShareOfTolerance = 0.25;
 
 bool is_box(const PlacedBody& body) {
@@ -29,7 +29,7 @@ PartsReview fault(const char* what, double error) {
   return {.fault = WitnessFault{what, error}};
 }
 
-/// Of two that meet, or may.
+/// Reviews the length for two that meet, or may.
 PartsReview review_length(const PlacedBody& a, const PlacedBody& b, const Eigen::Vector3d& by,
                           double tolerance) {
   const double length = by.norm();
@@ -42,7 +42,7 @@ PartsReview review_length(const PlacedBody& a, const PlacedBody& b, const Eigen:
   return review_parted(a, b, {by, length, tolerance});
 }
 
-/// A surface that is led out of another is apart by the referee, or by a proof.
+/// Reviews surfaces: one that is led out of another is apart by the referee, or by a proof.
 PartsReview review_surfaces(const PlacedBody& a, const PlacedBody& b, const Eigen::Vector3d& by,
                             double tolerance) {
   const double length = by.norm();
@@ -58,7 +58,8 @@ PartsReview review_surfaces(const PlacedBody& a, const PlacedBody& b, const Eige
   return {.unjudged = "that they are apart after it"};
 }
 
-/// Of two meshes the shapes' judge leaves it to the meshes'.
+/// Returns whether the two hit, if it is known; the shapes' judge leaves two meshes to the meshes'
+/// judge.
 std::optional<bool> known_hit(const PlacedBody& a, const PlacedBody& b) {
   const bool are_meshes = a.shape.kind() == ShapeKind::Mesh && b.shape.kind() == ShapeKind::Mesh;
   if (!are_meshes) return std::nullopt;

@@ -12,13 +12,15 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Triangles of directions that are divided: of shapes that are about as wide wherever one
-/// turns no number is enough. Of many corners fewer.
+/// So many triangles of directions are divided: for shapes that are about as wide wherever one
+/// turns no number is enough. For many corners fewer are.
 constexpr std::size_t kMostDivisions = std::size_t{1} << 14;
-constexpr std::size_t kMostCorners = std::size_t{1} << 22;  // that are looked through for these
+constexpr std::size_t kMostCorners = std::size_t{1} << 22;  // the number of corners that are looked
+                                                            // through for these
 constexpr std::size_t kLeastDivisions = 64;
 
-/// A point of the shape, without its radius, that is as far along d as any, in the shape's frame.
+/// Finds a point of the shape, without its radius, that is as far along d as any, in the shape's
+/// frame.
 struct FarPoint {
   const Vector3d& d;
 
@@ -88,22 +90,22 @@ Vector3d far_point(const PlacedBody& body, const Vector3d& n) {
   return body.pose * std::visit(FarPoint{d}, body.shape.value());
 }
 
-/// A direction and what is as far along it as any point of the difference.
+/// Holds a direction and what is as far along it as any point of the difference.
 struct Look {
   Vector3d n;
   Vector3d point;
   double length() const { return n.dot(point); }
 };
 
-/// Directions that are positive sums of three, or in a plane of two.
+/// Holds directions that are positive sums of three, or in a plane of two.
 template <std::size_t N>
 struct Patch {
   std::array<Look, N> corners;
   double bound;  ///< no direction of it has a shorter translation
 };
 
-/// A unit vector is a sum of the corners whose weights add up to one or more, and to no more than
-/// one over this.
+/// Returns the flatness f of three corners: a unit vector is a sum of them whose weights add up to
+/// one or more, and to no more than 1 / f.
 double flatness(const std::array<Look, 3>& corners) {
   const Vector3d& u = corners[0].n;
   const Vector3d across = (corners[1].n - u).cross(corners[2].n - u);
@@ -113,7 +115,7 @@ double flatness(const std::array<Look, 2>& corners) {
   return (corners[0].n + corners[1].n).norm() / 2;
 }
 
-/// N is 3 for all directions, and 2 for those of a half-plane.
+/// Searches directions: N is 3 for all of them, and 2 for those of a half-plane.
 template <std::size_t N>
 class Search {
  public:
@@ -125,7 +127,7 @@ class Search {
     return seen;
   }
 
-  /// All directions of it are to be looked through.
+  /// Adds a patch, all of whose directions are to be looked through.
   void add(const std::array<Look, N>& corners) {
     add(corners, -std::numeric_limits<double>::infinity());
   }
@@ -141,7 +143,7 @@ class Search {
  private:
   static bool is_later(const Patch<N>& p, const Patch<N>& q) { return p.bound > q.bound; }
 
-  /// What holds of all of it holds of its parts.
+  /// Adds a patch: what holds for all of it holds for its parts.
   void add(const std::array<Look, N>& corners, double bound_of_all) {
     const double flat = flatness(corners);
     double bound = bound_of_all;
@@ -206,14 +208,15 @@ LeastParting over_all_directions(const PlacedBody& a, const PlacedBody& b, const
   return search.run(tolerance);
 }
 
-/// A shape that may turn about a line, in the frame of the world.
+/// Holds a shape that may turn about a line, in the frame of the world.
 struct RoundBody {
-  Vector3d middle;               ///< on the line
-  std::optional<Vector3d> axis;  ///< unit; none: it may turn about any line through its middle
+  Vector3d middle;               ///< a point on the line
+  std::optional<Vector3d> axis;  ///< unit; without one it may turn about any line through its
+                                 ///< middle
   double bounding_radius;        ///< no point of it is farther from the middle
 };
 
-/// Without its radius, as far_point() has it.
+/// Returns the shape without its radius, as far_point() has it.
 std::optional<RoundBody> round_body(const PlacedBody& body) {
   const auto about_z = [&](double bounding_radius) {
     return RoundBody{body.pose.translation(), body.pose.linear().col(2).normalized(),
@@ -236,7 +239,7 @@ std::optional<RoundBody> round_body(const PlacedBody& body) {
   return std::nullopt;
 }
 
-/// The line about which two shapes may turn, and how far a point of B must move until that is
+/// Holds the line about which two shapes may turn, and how far a point of B must move until that is
 /// exactly so.
 struct CommonAxis {
   Vector3d along;
@@ -255,8 +258,9 @@ std::optional<CommonAxis> common_axis(const PlacedBody& a, const PlacedBody& b) 
   return CommonAxis{along, off};
 }
 
-/// The same all around a line, so that the directions of a half-plane are enough. What a shape is
-/// off the line the bound is lower by, once for these and once for all others.
+/// Finds the bounds for shapes that are the same all around a line, so that the directions of a
+/// half-plane are enough. The bound is lower by what a shape is off the line, once for these
+/// directions and once for all others.
 LeastParting over_half_plane(const PlacedBody& a, const PlacedBody& b, const CommonAxis& axis,
                              double tolerance) {
   Search<2> search(a, b);
@@ -269,7 +273,7 @@ LeastParting over_half_plane(const PlacedBody& a, const PlacedBody& b, const Com
   return found;
 }
 
-/// B leaves a half-space along its normal, and a plane along that or the other way.
+/// Leads B out of a half-space along its normal, and out of a plane along that or the other way.
 LeastParting out_of_flat(const PlacedBody& flat, const PlacedBody& other) {
   const Vector3d n = flat.pose.linear() * flat_of(flat.shape)->normal;
   const auto length = [&](const Vector3d& out) {

@@ -19,8 +19,8 @@ constexpr double kNormalTolerance = 0x1p-48;
 struct Meeting {
   std::uint32_t triangle;
   mpq_class s;
-  mpq_class square;  ///< of the distance
-  double distance;   ///< rounded
+  mpq_class square;  ///< the square of the distance
+  double distance;   ///< the distance, rounded
 };
 
 double ulp_at(double value) {
@@ -69,7 +69,7 @@ class SurfaceRay {
     return std::isfinite(distance) ? ulps_ * ulp_at(distance) : 0;
   }
 
-  /// What is wrong with a hit, and by how much; nothing if it is right.
+  /// Returns what is wrong with a hit, and by how much; nothing if it is right.
   std::optional<std::pair<std::string, double>> fault_of(const RayHit& hit) const {
     const auto found =
         std::find_if(meetings_.begin(), meetings_.end(), [&](const Meeting& meeting) {
@@ -82,7 +82,7 @@ class SurfaceRay {
     const RationalPoint offset = minus(compare::exactly(hit.point), at);
     const double off_point = rounded_root(dot(offset, offset));
     const double largest = std::max(found->distance, ray_.origin.cwiseAbs().maxCoeff());
-    // Of each of three coordinates.
+    // This is for each of three coordinates.
     if (off_point > 2 * ulps_ * ulp_at(largest)) return std::pair("another point", off_point);
     const double off_normal = (hit.normal - normal_at(found->triangle)).norm();
     if (!(off_normal <= kNormalTolerance)) return std::pair("another normal", off_normal);
@@ -90,7 +90,7 @@ class SurfaceRay {
   }
 
  private:
-  /// On the side that the ray comes from; the ray's own where there is no other.
+  /// Returns the normal on the side that the ray comes from; the ray's own where there is no other.
   Vector3d normal_at(std::uint32_t triangle) const {
     const RationalTriangle t = compare::exactly(triangles_[triangle]);
     RationalPoint normal = cross(edge_of(t, 0), edge_of(t, 1));

@@ -15,7 +15,7 @@ using Eigen::Vector3d;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// The largest d . x over the shape in its own frame.
+/// Finds the largest d . x over the shape in its own frame.
 struct Support {
   const Vector3d& d;
   double flat = std::hypot(d.x(), d.y());
@@ -55,7 +55,7 @@ struct Support {
   }
 };
 
-/// How far the point is outside of the shape, both in the shape's frame.
+/// Finds how far the point is outside of the shape, both in the shape's frame.
 struct Outside {
   const Vector3d& p;
   double rho = std::hypot(p.x(), p.y());

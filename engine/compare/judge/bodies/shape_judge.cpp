@@ -17,7 +17,8 @@
 namespace graze::compare {
 namespace {
 
-/// As cases know shapes: boxes and balls lie where their poses put them, by laws 1 and 3.
+/// Returns a body as cases know shapes: boxes and balls lie where their poses put them, by laws 1
+/// and 3.
 std::optional<CaseShape> case_shape(const PlacedBody& body) {
   if (const Mesh* mesh = body.shape.as<Mesh>()) return CaseMesh(*mesh, body.pose);
   if (const auto* box = body.shape.as<Box>()) return Obb{body.pose, box->half_extents};
@@ -43,7 +44,7 @@ std::optional<Case> case_of(const PlacedBody& body_a, const PlacedBody& body_b) 
               .answered_by = {}};
 }
 
-/// A ball and a box, in the box's frame after law 3's rounding.
+/// Decides about a ball and a box, in the box's frame after law 3's rounding.
 std::optional<bool> ball_meets_box(const PlacedBody& body_a, const PlacedBody& body_b) {
   const PlacedBody& ball_body = body_a.shape.kind() == ShapeKind::Sphere ? body_a : body_b;
   const PlacedBody& box_body = &ball_body == &body_a ? body_b : body_a;
@@ -56,7 +57,7 @@ std::optional<bool> ball_meets_box(const PlacedBody& body_a, const PlacedBody& b
                           Aabb{-box->half_extents, box->half_extents});
 }
 
-/// Two boxes, in rational numbers, where both readings of their poses agree.
+/// Finds the error of two boxes, in rational numbers, where both readings of their poses agree.
 std::optional<VolumeError> error_of_boxes(const PlacedBody& body_a, const PlacedBody& body_b) {
   const auto* box_a = body_a.shape.as<Box>();
   const auto* box_b = body_b.shape.as<Box>();
@@ -64,7 +65,7 @@ std::optional<VolumeError> error_of_boxes(const PlacedBody& body_a, const Placed
   return volume_error(Obb{body_a.pose, box_a->half_extents}, Obb{body_b.pose, box_b->half_extents});
 }
 
-/// The largest side of the box around both, half-spaces and planes left out.
+/// Returns the largest side of the box around both, half-spaces and planes left out.
 double scale_of(const PlacedBody& body_a, const PlacedBody& body_b) {
   std::optional<Aabb> all;
   for (const PlacedBody* body : {&body_a, &body_b}) {
@@ -75,7 +76,7 @@ double scale_of(const PlacedBody& body_a, const PlacedBody& body_b) {
   return all ? (all->max - all->min).maxCoeff() : 1;
 }
 
-/// The largest coordinate that a proof computes with.
+/// Returns the largest coordinate that a proof computes with.
 double largest_coordinate(const PlacedBody& body_a, const PlacedBody& body_b) {
   double largest = 0;
   for (const PlacedBody* body : {&body_a, &body_b}) {
@@ -129,7 +130,7 @@ struct ShapeJudge::Truth {
     return a.shape.kind() == ShapeKind::Mesh && b.shape.kind() == ShapeKind::Mesh;
   }
 
-  /// The size of what may be overlooked and, where no referee has spoken, a proof.
+  /// Measures what may be overlooked and, where no referee has spoken, finds a proof.
   void measure() {
     const ShapeDistance found = distance({a.shape, a.pose}, {b.shape, b.pose});
     const double slack = kTouchUlps * ulp;
@@ -156,9 +157,9 @@ struct ShapeJudge::Truth {
   PlacedBody b;
   std::optional<Case> query;
   std::optional<Judge> judge;
-  std::optional<bool> is_hit;  // none: not proved
-  double size = 0;             // metres, of the gap or the depth
-  bool has_ended = true;       // the library's search for the answer
+  std::optional<bool> is_hit;  // none if it is not proved
+  double size = 0;             // metres, the gap or the depth
+  bool has_ended = true;       // true if the library's search for the answer has ended
   double scale = 1;
   double ulp = 1;
 };

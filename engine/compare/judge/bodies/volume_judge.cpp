@@ -31,7 +31,7 @@ bool meets(const Triangle& triangle, const CaseShape& volume) {
   return referee_meets(triangle, std::get<Sphere>(volume));
 }
 
-/// A with the triangles that it is made of, and a volume.
+/// Holds A with the triangles that it is made of, and a volume.
 class SurfaceAndVolume {
  public:
   explicit SurfaceAndVolume(const Case& query) : query_(query), volume_(*query.b) {
@@ -47,7 +47,7 @@ class SurfaceAndVolume {
 
   const std::vector<std::uint32_t>& hits() const { return hits_; }
 
-  /// Of the triangle that is nearest, exactly.
+  /// Adds the gap of the triangle that is nearest, exactly.
   void add_gap(Judgement& judgement) const {
     const auto gap = [&](std::uint32_t i) { return volume_error(triangles_[i], volume_).error; };
     std::uint32_t nearest = 0;
@@ -68,14 +68,14 @@ class SurfaceAndVolume {
       judgement.error_class = ErrorClass::Containment;
   }
 
-  /// Where no triangle meets the volume: whether a closed mesh encloses it.
+  /// Returns, where no triangle meets the volume, whether a closed mesh encloses it.
   std::optional<bool> is_volume_enclosed() const {
     const auto* mesh = std::get_if<CaseMesh>(&query_.a);
     return mesh == nullptr ? std::nullopt : is_volume_inside(*mesh, volume_);
   }
 
-  /// Of the triangle that shows it worst: so much at least. Of a box all triangles may merely touch
-  /// though the mesh reaches into it, as with meshes.
+  /// Adds the depth of the triangle that shows it worst: it is at least that. All triangles of a
+  /// box may merely touch though the mesh reaches into it, as with meshes.
   void add_depth(Judgement& judgement) const {
     for (std::size_t i = 0; i < std::min(hits_.size(), kMaxExamined); ++i)
       add_error(judgement, hits_[i]);
@@ -125,7 +125,8 @@ class SurfaceAndVolume {
     return box == nullptr ? t : narrowphase::into_frame(t, box->pose);
   }
 
-  /// As a triangle whose box is that of the volume, in its frame, a little larger.
+  /// Returns the volume as a triangle whose box is that of the volume, in its frame, a little
+  /// larger.
   std::array<Triangle, 1> box_of_volume() const {
     Aabb box;
     if (const auto* aligned = std::get_if<Aabb>(&volume_)) box = *aligned;
@@ -139,7 +140,7 @@ class SurfaceAndVolume {
     return {Triangle{box.min, box.max, box.max}};
   }
 
-  /// The surface of a box in its frame, whose corners are doubles.
+  /// Returns the surface of a box in its frame, whose corners are doubles.
   std::optional<Mesh> box_mesh() const {
     if (std::holds_alternative<Sphere>(volume_)) return std::nullopt;
     const Triangle ends = box_of_volume()[0];
@@ -184,7 +185,8 @@ Judgement judge_list(const SurfaceAndVolume& shapes, const std::vector<std::uint
   return judgement;
 }
 
-/// Any triangles do, if they meet the volume and are as many as the limit lets pass.
+/// Judges a list that was cut: any triangles do, if they meet the volume and are as many as the
+/// limit lets pass.
 Judgement judge_cut_list(const SurfaceAndVolume& shapes,
                          const std::vector<std::uint32_t>& triangles, std::size_t limit) {
   const std::vector<std::uint32_t>& hits = shapes.hits();

@@ -21,7 +21,7 @@ Rows<Scalar> rows_of(const Pose& pose) {
   return rows;
 }
 
-/// inverse(a) * b, as engines multiply poses.
+/// Returns inverse(a) * b, as engines multiply poses.
 template <typename Scalar>
 Rows<Scalar> relative(const Rows<Scalar>& a, const Rows<Scalar>& b) {
   Rows<Scalar> out;
@@ -86,8 +86,8 @@ double largest_move(const RationalTriangle& from, const RationalTriangle& to) {
   return rounded_root(largest);
 }
 
-/// By how much rounding has moved a corner of B, which is placed in every variant. What A's pose
-/// deviates from a rotation counts with it where B is brought into A's frame.
+/// Returns by how much rounding has moved a corner of B, which is placed in every variant. What A's
+/// pose deviates from a rotation counts with it where B is brought into A's frame.
 double moved(const PosedTriangles& posed, const PlacedTriangles& placed, ClassicFrame frame) {
   const RationalTriangle b = placed_without_rounding(posed.pose_b, posed.b);
   if (frame == ClassicFrame::Common) return largest_move(b, exactly(placed.b));
@@ -98,7 +98,7 @@ double moved(const PosedTriangles& posed, const PlacedTriangles& placed, Classic
       for (std::size_t i = 0; i < 3; ++i)
         p[i] += corner[i];
   }
-  // Into the common frame by A's pose, in rational numbers.
+  // A's pose takes them into the common frame, in rational numbers.
   RationalTriangle there;
   for (std::size_t k = 0; k < 3; ++k) {
     for (int i = 0; i < 3; ++i) {
@@ -184,7 +184,7 @@ std::vector<ClassicVariant> classic_variants(const PosedTriangles& posed) {
       const bool is_finite = placed.a.a.allFinite() && placed.a.b.allFinite() &&
                              placed.a.c.allFinite() && placed.b.a.allFinite() &&
                              placed.b.b.allFinite() && placed.b.c.allFinite();
-      if (!is_finite) continue;  // beyond what float can hold
+      if (!is_finite) continue;  // then it is beyond what float can hold
       variants.push_back(
           {.frame = frame,
            .numbers = numbers,

@@ -9,14 +9,14 @@
 
 namespace graze::compare {
 
-/// Where corners are placed before they are tested.
+/// Says where corners are placed before they are tested.
 enum class ClassicFrame {
-  Common,  ///< both by their poses
-  OfA,     ///< B's into A's frame, by one pose made of two; A's stay as they are
-  Corner,  ///< likewise, and then all from A's first corner
+  Common,  ///< both are placed by their poses
+  OfA,     ///< B's are placed into A's frame, by one pose made of two; A's stay as they are
+  Corner,  ///< as OfA, and then all are taken from A's first corner
 };
 
-/// Two triangles and their poses.
+/// Holds two triangles and their poses.
 struct PosedTriangles {
   Triangle a;
   Pose pose_a;
@@ -24,28 +24,28 @@ struct PosedTriangles {
   Pose pose_b;
 };
 
-/// The corners as they are placed in these numbers.
+/// Holds the corners as they are placed in these numbers.
 struct PlacedTriangles {
   Triangle a;
   Triangle b;
 };
 PlacedTriangles placed_in(const PosedTriangles& posed, ClassicFrame frame, ClassicNumbers numbers);
 
-/// What happens from the corners to an answer, in one frame and one kind of numbers.
+/// Says what happens from the corners to an answer, in one frame and one kind of numbers.
 struct ClassicVariant {
   ClassicFrame frame;
   ClassicNumbers numbers;
-  bool placed_touch = false;  ///< exactly, of the corners as they are placed
-  double moved = 0;           ///< metres that placing has moved a corner at most
+  bool placed_touch = false;  ///< true if the corners as they are placed touch, exactly
+  double moved = 0;           ///< metres, the most that placing has moved a corner
   ClassicRun axes;
   ClassicRun determinants;
 };
 
-/// All of them, those in double first.
+/// Returns all variants, those in double first.
 std::vector<ClassicVariant> classic_variants(const PosedTriangles& posed);
 
-/// Why textbook steps give the answer `says` about two triangles of which it is wrong, in words;
-/// none if none of them does.
+/// Says in words why textbook steps give the wrong answer `says` about two triangles; nothing if
+/// none of them does.
 std::optional<std::string> blame(const std::vector<ClassicVariant>& variants, bool says);
 
 const char* name_of(ClassicFrame frame);

@@ -47,7 +47,7 @@ int sign_of(const Scalar& value) {
   return (value > 0) - (value < 0);
 }
 
-/// A number of a step, and the largest that went into it.
+/// Holds a number of a step, and the largest that went into it.
 template <typename Scalar>
 struct Value {
   Scalar value;
@@ -76,7 +76,7 @@ Range<Scalar> range_along(const Vector<Scalar>& axis, const Corners<Scalar>& t) 
   return range;
 }
 
-/// Positive: they are apart along the axis.
+/// Returns a gap: if it is positive they are apart along the axis.
 template <typename Scalar>
 Value<Scalar> gap_of(const Vector<Scalar>& axis, const Corners<Scalar>& a,
                      const Corners<Scalar>& b) {
@@ -92,7 +92,7 @@ Value<Scalar> gap_of(const Vector<Scalar>& axis, const Corners<Scalar>& a,
   return {above > below ? above : below, largest};
 }
 
-/// det(q - p, r - p, s - p): on which side of the plane of p, q, r the point s is.
+/// Returns det(q - p, r - p, s - p): on which side of the plane of p, q, r the point s is.
 template <typename Scalar>
 Value<Scalar> side_of(const Vector<Scalar>& p, const Vector<Scalar>& q, const Vector<Scalar>& r,
                       const Vector<Scalar>& s) {
@@ -111,7 +111,7 @@ Vector<Scalar> edge_along(const Corners<Scalar>& t, std::size_t i) {
   return between(t[i], t[(i + 1) % 3]);
 }
 
-/// All numbers of a test in one arithmetic, in the order of step_names().
+/// Returns all numbers of a test in one arithmetic, in the order of step_names().
 template <typename Scalar>
 std::vector<Value<Scalar>> axes_values(const Corners<Scalar>& a, const Corners<Scalar>& b) {
   std::vector<Value<Scalar>> values;
@@ -169,7 +169,7 @@ std::vector<std::string> step_names(ClassicTest test) {
   return names;
 }
 
-/// Whether an edge of one pierces the other, from the signs of determinant_values().
+/// True if an edge of one pierces the other, from the signs of determinant_values().
 bool pierces(const std::array<int, 15>& signs) {
   const auto is_same = [](int p, int q, int r) {
     return (p >= 0 && q >= 0 && r >= 0) || (p <= 0 && q <= 0 && r <= 0);
@@ -224,7 +224,7 @@ bool says_of(ClassicTest test, const std::vector<ClassicStep>& steps, const Corn
   std::array<int, 15> all{};
   std::copy_n(signs.begin(), all.size(), all.begin());
   if (!are_flat(all)) return pierces(all);
-  std::vector<Scalar> gaps;  // of what lies in one plane
+  std::vector<Scalar> gaps;  // for triangles that lie in one plane
   for (const Value<Scalar>& each : axes_values(a, b))
     gaps.push_back(each.value);
   return !has_gap(gaps);
@@ -246,7 +246,7 @@ ClassicRun run_in(ClassicTest test, const Triangle& triangle_a, const Triangle& 
   run.test = test;
   for (std::size_t i = 0; i < names.size(); ++i) {
     const auto value = static_cast<double>(computed[i].value);
-    mpq_class error = 0;  // of what overflows it is infinite
+    mpq_class error = 0;  // it is infinite for a number that overflows
     if (std::isfinite(value)) error = abs(mpq_class(value) - exact[i].value);
     const double ulp =
         static_cast<double>(std::numeric_limits<Scalar>::epsilon()) * exact[i].largest.get_d();
@@ -269,7 +269,8 @@ const ClassicStep* ClassicRun::misleading(bool truth) const {
   const ClassicStep* worst = nullptr;
   for (const ClassicStep& step : steps) {
     if (step.computed_sign == step.exact_sign) continue;
-    // Of axes one with a gap decides; of what is apart each must have been overlooked.
+    // Among axes one with a gap decides; if the triangles are apart each such axis must have been
+    // overlooked.
     if (test == ClassicTest::Axes && (step.computed_sign > 0) == (step.exact_sign > 0)) continue;
     if (worst == nullptr || step.ulps > worst->ulps) worst = &step;
   }

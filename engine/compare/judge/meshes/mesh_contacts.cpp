@@ -22,14 +22,15 @@ constexpr double kFloatTolerance = 1e-5;
 /// graze's normals are unit to 2 ulp.
 constexpr double kUnitTolerance = 0x1p-50;
 
-/// Of the largest coordinate: what separating_translation() adds to a last contact is some 2^-50 of
-/// it over the cosine between the direction and the normals of the surfaces, here up to 2^12.
+/// This is a share of the largest coordinate: what separating_translation() adds to a last contact
+/// is some 2^-50 of it over the cosine between the direction and the normals of the surfaces, here
+/// up to 2^12.
 constexpr double kDepthTolerance = 0x1p-38;
 
-/// Of convex surfaces no vertex is farther before a face than this share of the size.
+/// No vertex of a convex surface is farther before a face than this share of the size.
 constexpr double kFlatTolerance = 1e-12;
 
-/// Contacts that a pair of triangles may give, of engines that ask each pair.
+/// A pair of triangles may give so many contacts, in engines that ask each pair.
 constexpr std::size_t kMostOfPair = 8;
 
 /// More vertices times faces than this are not looked at.
@@ -55,7 +56,7 @@ bool is_convex(const Mesh& mesh) {
   return true;
 }
 
-/// All numbers of a contact, to find those that are given more than once.
+/// Returns all numbers of a contact, to find those that are given more than once.
 std::array<double, 13> numbers_of(const CaseContact& c) {
   return {c.point.x(),   c.point.y(),   c.point.z(),   c.point_a.x(), c.point_a.y(),
           c.point_a.z(), c.point_b.x(), c.point_b.y(), c.point_b.z(), c.normal.x(),
@@ -68,9 +69,9 @@ bool has_repeats(const std::vector<CaseContact>& contacts) {
                      [&](const CaseContact& c) { return !known.insert(numbers_of(c)).second; });
 }
 
-/// Engines that give contacts for each pair of triangles, without the pair: the same contact may
-/// come once for each, and its normal and depth are those of two triangles. A wrapper of one of
-/// them has another name; that it repeats itself tells it.
+/// Tells by which convention an engine gives contacts. Some give them for each pair of triangles,
+/// without the pair: the same contact may come once for each, and its normal and depth are those of
+/// two triangles. A wrapper of such an engine has another name, but is known by repeating itself.
 ContactConvention convention_of(const std::string& engine,
                                 const std::vector<CaseContact>& contacts) {
   if (engine == "graze") return ContactConvention::Graze;
@@ -122,8 +123,8 @@ class ContactReview {
     return is_graze_ ? fault_of_ours(c, width) : fault_of_place(c);
   }
 
-  /// Contacts that are the same in every bit. Surfaces that lie on themselves may touch in one
-  /// point more than once: of meshes that are not convex graze may say so once for a pair of
+  /// Finds contacts that are the same in every bit. Surfaces that lie on themselves may touch in
+  /// one point more than once: for meshes that are not convex graze may say so once for a pair of
   /// triangles.
   Fault fault_of_repeats(const std::vector<CaseContact>& contacts, bool are_convex) const {
     std::map<std::array<double, 13>, std::size_t> counts;
@@ -135,14 +136,14 @@ class ContactReview {
     return std::nullopt;
   }
 
-  /// Of convex meshes a plane across the normal says whether moving B by the depth parts them.
+  /// Says by a plane across the normal whether moving B by the depth parts two convex meshes.
   bool is_parted_by(const CaseContact& c, double sign) const {
     return overlap_along(referee_, sign * c.normal) <= c.depth + slack_;
   }
 
  private:
-  /// find_contacts(): `point` is midway between `point_a`, on A, and `point_b`, on B; the depth is
-  /// the width between these, or less if that alone parts the two.
+  /// Checks what find_contacts() promises: `point` is midway between `point_a`, on A, and
+  /// `point_b`, on B; the depth is the width between these, or less if that alone parts the two.
   Fault fault_of_ours(const CaseContact& c, double width) const {
     const double off_a = distance_to(referee_.triangles_a(), c.point_a);
     if (off_a > exact_) return WitnessFault{"point_a is off the surface of A", off_a};
@@ -163,7 +164,8 @@ class ContactReview {
     return std::nullopt;
   }
 
-  /// Others mean many things by a point. It belongs to a pair of triangles that hit.
+  /// Checks the place of others' points, by which they mean many things: it belongs to a pair of
+  /// triangles that hit.
   Fault fault_of_place(const CaseContact& c) const {
     double least = std::numeric_limits<double>::infinity();
     for (const TrianglePair& pair : hits_)
@@ -185,8 +187,8 @@ class ContactReview {
                         }));
   }
 
-  /// Pairs of triangles that may touch at a point, within what engines round: around a vertex many,
-  /// of which few do.
+  /// Returns how many pairs of triangles may touch at a point, within what engines round: around a
+  /// vertex many, of which few do.
   std::size_t pairs_near(const Vector3d& p) const {
     const auto count = [&](const std::vector<Triangle>& triangles) {
       return static_cast<std::size_t>(
@@ -209,7 +211,7 @@ class ContactReview {
   const MeshCase& meshes_;
   ContactConvention convention_;
   bool is_graze_;
-  double largest_;  // coordinate, metres
+  double largest_;  // the largest coordinate, metres
   double exact_;    // metres
   double slack_;    // metres
 };

@@ -5,22 +5,22 @@
 
 namespace graze::compare {
 
-/// A translation of B: whether it is as long as is said, along the direction that was asked for,
-/// and separates. Nothing is said of that if it leaves the range of double. Right if, in addition,
-/// the two still hit a millionth of the length before: then it is no longer than it must be along
-/// its direction. Else its length is not judged.
+/// Judges a translation of B: whether it is as long as is said, along the direction that was asked
+/// for, and separates. Whether it separates is not judged if it leaves the range of double. It is
+/// right if, in addition, the two still hit a millionth of the length before: then it is no longer
+/// than it must be along its direction. Else its length is not judged.
 Judgement judge_separation(const Case& query, const MeshCase& meshes, const CaseAnswer& answer);
 
-/// Whether a closed mesh or a volume contains a point: exactly, by law 3 for an oriented box. Of a
-/// mesh that is not closed nothing is judged.
+/// Judges whether a closed mesh or a volume contains a point: exactly, by law 3 for an oriented
+/// box. Nothing is judged about a mesh that is not closed.
 Judgement judge_contains(const Case& query, bool says);
 
-/// Whether two closed placed meshes whose surfaces share no point hold a part of each other;
-/// nothing if one of them is not closed.
+/// Returns whether two closed placed meshes whose surfaces share no point hold a part of each
+/// other; nothing if one of them is not closed.
 std::optional<bool> is_one_inside(const MeshCase& meshes);
 
-/// Whether a closed placed mesh whose surface shares no point with the volume encloses it; nothing
-/// if it is not closed.
+/// Returns whether a closed placed mesh whose surface shares no point with the volume encloses it;
+/// nothing if it is not closed.
 std::optional<bool> is_volume_inside(const CaseMesh& mesh, const CaseShape& volume);
 
 }  // namespace graze::compare

@@ -47,7 +47,7 @@ const MeshReferee::Gap& MeshTruth::gap(const std::optional<TrianglePair>& hint) 
 
 /// Keeps the worst class, and of one class the largest error.
 void MeshTruth::add_error(Judgement& judgement, const TrianglePair& pair, bool is_a_hit) {
-  // A claim of a touch where no surfaces meet.
+  // The answer may claim a touch where no surfaces meet.
   std::function<bool()> contained;
   if (!is_a_hit && !is_hit()) contained = [this] { return is_contained(); };
   PairError error = pair_error(placed_a(), placed_b(), pair, is_a_hit, contained);
@@ -65,7 +65,8 @@ void MeshTruth::add_error(Judgement& judgement, const TrianglePair& pair, bool i
   judgement.culprit = pair;
 }
 
-/// For what is apart on the surface. It names a reason, and decides no verdict.
+/// True if one mesh is inside the other, for meshes that are apart on the surface. It names a
+/// reason, and decides no verdict.
 bool MeshTruth::is_contained() const {
   return is_one_inside(meshes_).value_or(false);
 }
@@ -75,8 +76,8 @@ bool MeshTruth::has_area(const TrianglePair& pair) const {
          !has_no_area(exactly(referee_.triangle_b(pair.b)));
 }
 
-/// The class and size of having overlooked all hits. Each pair alone gives a lower bound only: the
-/// error is how far B must be moved until none is left.
+/// Adds the class and size of having overlooked all hits. Each pair alone gives a lower bound only:
+/// the error is how far B must be moved until none is left.
 void MeshTruth::add_missed_hit(Judgement& judgement) {
   const std::size_t examined = std::min(hits().size(), kMaxExamined);
   double ulp = 0;
@@ -120,7 +121,7 @@ Judgement MeshTruth::judge_any(bool says) {
   return judgement;
 }
 
-/// Any pairs do, if they are true and as many as the limit lets pass.
+/// Judges a list that was cut: any pairs do, if they are true and as many as the limit lets pass.
 Judgement MeshTruth::judge_cut_list(const std::vector<TrianglePair>& pairs) {
   const std::size_t count = std::min<std::size_t>(*query_.settings.limit, hits().size());
   std::vector<TrianglePair> wrong;
@@ -143,7 +144,8 @@ Judgement MeshTruth::judge_cut_list(const std::vector<TrianglePair>& pairs) {
   return judgement;
 }
 
-/// Surfaces that share a point meet, and else one mesh is inside the other or none is.
+/// Judges solids: they meet if their surfaces share a point, and else if one mesh is inside the
+/// other.
 Judgement MeshTruth::judge_solid(bool says) {
   if (is_hit()) return judge_any(says);
   const std::optional<bool> is_inside = is_one_inside(meshes_);
@@ -176,7 +178,7 @@ Judgement MeshTruth::judge_list(const std::vector<TrianglePair>& pairs) {
   return judgement;
 }
 
-// Law 7: four ulp of the largest difference of placed coordinates.
+// Law 7 allows four ulp of the largest difference of placed coordinates.
 double MeshTruth::distance_tolerance(const TrianglePair& pair, bool is_graze) const {
   const Triangle& a = referee_.triangle_a(pair.a);
   const Triangle& b = referee_.triangle_b(pair.b);
@@ -191,8 +193,8 @@ double MeshTruth::distance_tolerance(const TrianglePair& pair, bool is_graze) co
   return 4 * (std::nextafter(largest, std::numeric_limits<double>::infinity()) - largest);
 }
 
-/// A negative distance, as other engines return it, claims a touch, and no more: how deep it is has
-/// as many definitions as there are engines.
+/// Judges a negative distance, as other engines return it. It claims a touch, and no more: how deep
+/// it is has as many definitions as there are engines.
 Judgement MeshTruth::judge_touch_claim(const MeshReferee::Gap& nearest) {
   Judgement judgement;
   judgement.truth = in_metres("apart by", rounded_root(nearest.square));
@@ -254,7 +256,7 @@ Judgement MeshTruth::judge_distance(const CaseAnswer& answer, bool is_graze) {
   return judgement;
 }
 
-/// The class of a claim about the nearest pair, whose size is known.
+/// Adds the class of a claim about the nearest pair, whose size is known.
 void MeshTruth::add_class(Judgement& judgement, const MeshReferee::Gap& nearest,
                           bool claims_touch) {
   const bool is_touch = nearest.square == 0;
@@ -279,7 +281,7 @@ Judgement MeshTruth::judge_within(bool says, bool is_graze) {
   const Triangle& a = referee_.triangle_a(nearest.pair.a);
   const Triangle& b = referee_.triangle_b(nearest.pair.b);
   judgement.ulps = judgement.error / ulp_of(a, b);
-  // It speaks of the rounded distance (law 7), so that either answer is right this near.
+  // The question is about the rounded distance (law 7), so that either answer is right this near.
   const bool is_right = says == (nearest.square <= square) ||
                         judgement.error <= distance_tolerance(nearest.pair, is_graze);
   judgement.verdict = is_right ? Verdict::Right : Verdict::Wrong;

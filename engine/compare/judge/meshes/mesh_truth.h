@@ -12,11 +12,11 @@
 
 namespace graze::compare {
 
-/// What is true of two meshes, found when it is first needed, and what answers say of it. Safe to
-/// be asked from many threads.
+/// Holds what is true of two meshes, found when it is first needed, and judges what answers say of
+/// it. Many threads may ask it.
 class MeshTruth {
  public:
-  /// The case must outlive this.
+  /// Keeps the case, which must outlive it.
   MeshTruth(const Case& the_query, const MeshCase& the_meshes);
 
   Judgement judge(const CaseAnswer& answer, const CaseWitness& witness);

@@ -23,8 +23,8 @@ bool moves(const Pose& pose) {
   return pose.matrix() != Pose::Identity().matrix();
 }
 
-/// Ways of placing, by which an answer may be another: with real numbers, and with B brought into
-/// A's frame by one pose made of two, or A into B's, in double, as most engines do.
+/// Names ways of placing, by which an answer may be another: with real numbers, and with B brought
+/// into A's frame by one pose made of two, or A into B's, in double, as most engines do.
 enum class Placing { Real, BIntoA, AIntoB };
 constexpr std::array kPlacings = {Placing::Real, Placing::BIntoA, Placing::AIntoB};
 
@@ -32,7 +32,8 @@ bool is_finite(const Triangle& t) {
   return t.a.allFinite() && t.b.allFinite() && t.c.allFinite();
 }
 
-/// Nothing where the way leads out of the range of double.
+/// Returns whether the two hit by this way of placing, and nothing where it leads out of the range
+/// of double.
 std::optional<bool> is_hit_by(Placing placing, const PosedTriangles& posed) {
   if (placing == Placing::Real) {
     return squared_distance(placed_without_rounding(posed.pose_a, posed.a),
@@ -51,9 +52,9 @@ PosedTriangles posed(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b,
   return {mesh_a.mesh.triangle(pair.a), mesh_a.pose, mesh_b.mesh.triangle(pair.b), mesh_b.pose};
 }
 
-/// Triangles whose boxes hold the placed ones of all ways, whichever frame they are brought into
-/// and back from: some twenty operations, none on numbers larger than the sum here, and what a pose
-/// deviates from a rotation.
+/// Returns triangles whose boxes hold the placed ones of all ways, whichever frame they are brought
+/// into and back from: some twenty operations, none on numbers larger than the sum here, and what a
+/// pose deviates from a rotation.
 std::vector<Triangle> boxes_of(const PlacedMeshView& mesh, const PlacedMeshView& other) {
   double largest = 0;
   for (const PlacedMeshView* each : {&mesh, &other}) {

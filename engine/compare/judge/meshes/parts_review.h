@@ -8,15 +8,16 @@
 
 namespace graze::compare {
 
-/// What was found of the parts of an answer: one that cannot be, or what is not judged, in words;
-/// nothing of either if all are right.
+/// Holds what was found about the parts of an answer: one that cannot be, or, in words, what was
+/// not judged; neither if all are right.
 struct PartsReview {
   std::optional<WitnessFault> fault = {};
   std::string unjudged = {};
-  ErrorClass error_class = ErrorClass::Real;  ///< of the fault
+  ErrorClass error_class = ErrorClass::Real;  ///< the class of the fault
 };
 
-/// Puts it into the judgement on the answer as a whole, which is right or not judged so far.
+/// Puts the review into the judgement on the answer as a whole, which is right or not judged so
+/// far.
 inline void add_review(Judgement& judgement, const PartsReview& review, double ulp) {
   if (review.fault) {
     judgement.verdict = Verdict::Wrong;

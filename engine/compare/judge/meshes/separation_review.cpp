@@ -14,7 +14,7 @@ using Eigen::Vector3d;
 /// The direction is a unit vector to a few ulp, and each product with the length is rounded.
 constexpr double kLengthTolerance = 0x1p-49;
 
-/// Shares of its length by which the translation may be longer than it must be.
+/// The translation may be longer than it must be by this share of its length.
 constexpr double kLongerTolerance = 0x1p-20;
 
 Judgement wrong(const char* what, double error) {
@@ -25,7 +25,7 @@ Judgement wrong(const char* what, double error) {
   return judgement;
 }
 
-/// None if the placement would overflow.
+/// Returns nothing if the placement would overflow.
 std::optional<Pose> moved(const CaseMesh& mesh, const Vector3d& by) {
   Pose pose = mesh.pose;
   pose.translation() += by;

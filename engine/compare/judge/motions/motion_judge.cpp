@@ -7,14 +7,14 @@
 namespace graze::compare {
 namespace {
 
-/// With all digits that tell a double from its neighbours.
+/// Returns a number with all digits that tell a double from its neighbours.
 std::string text_of(double value) {
   std::array<char, 32> text;
   const std::to_chars_result end = std::to_chars(text.data(), text.data() + text.size(), value);
   return {text.data(), end.ptr};
 }
 
-/// Enough for a difference of times.
+/// Returns a number with digits enough for a difference of times.
 std::string brief_text(double value) {
   std::array<char, 32> text;
   const std::to_chars_result end =
@@ -37,7 +37,7 @@ Judgement not_judged(const std::string& known, const std::string& what) {
 
 }  // namespace
 
-/// What the library found, in words, where a proof of it may be missing.
+/// Says in words what the library found, where a proof of it may be missing.
 std::string MotionJudge::known() const {
   const RigidContact& found = proofs_.proposed();
   if (found.status == RigidStatus::Free) return "free";
@@ -45,7 +45,7 @@ std::string MotionJudge::known() const {
          text_of(found.low) + " on";
 }
 
-/// Wrong, as large as the deepest contact that was overlooked between two times.
+/// Returns a wrong verdict, as large as the deepest contact that was overlooked between two times.
 Judgement MotionJudge::overlooked(const std::string& cause, double from, double to) const {
   Judgement judgement = proofs_.judge_missed(from, to).value_or(proofs_.judge_at(from, false));
   judgement.verdict = Verdict::Wrong;
@@ -53,7 +53,7 @@ Judgement MotionJudge::overlooked(const std::string& cause, double from, double 
   return judgement;
 }
 
-/// Wrong, as large as the gap at the time at which there should be a contact.
+/// Returns a wrong verdict, as large as the gap at the time at which there should be a contact.
 Judgement MotionJudge::invented(const std::string& truth, double time) const {
   Judgement judgement = proofs_.judge_at(time, true);
   const bool is_sized = judgement.verdict == Verdict::Wrong;
@@ -63,8 +63,8 @@ Judgement MotionJudge::invented(const std::string& truth, double time) const {
   return judgement;
 }
 
-/// Whether the poses at which FCL looks by default, the ends among them, are all proved apart: who
-/// samples there cannot see the contact.
+/// True if the poses at which FCL looks by default, the ends among them, are all proved apart: an
+/// engine that samples there cannot see the contact.
 bool MotionJudge::is_sampled_over() const {
   constexpr int kPoses = 10;
   for (int i = 0; i < kPoses; ++i)
@@ -85,7 +85,7 @@ Judgement MotionJudge::judge_not_free(bool is_graze) {
   if (const std::optional<double> time = proofs_.contact())
     return right("hit at " + text_of(*time));
   if (proofs_.is_free()) return invented("free: \"hit\" of a free motion", proofs_.nearest_time());
-  // It promises to say no of what comes so near, too.
+  // It promises to say no of two that come so near, too.
   if (is_graze && proofs_.is_near(proofs_.proposed().low)) return right(known());
   return not_judged(known(), "whether they meet");
 }

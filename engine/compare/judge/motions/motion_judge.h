@@ -6,16 +6,16 @@
 
 namespace graze::compare {
 
-/// So much of the time from 0 to 1 is granted to engines other than graze, whose times are no
+/// This much of the time from 0 to 1 is granted to engines other than graze, whose times are no
 /// bounds: FCL's conservative advancement stops where it would go on by 1e-4. A millimetre of
 /// Bullet's is more where a motion is short.
 inline constexpr double kTimeTolerance = 0x1p-10;
 
-/// What is true of two in motion, and what answers say of it: README.md of judge/ says what is
-/// right and wrong. Safe to be asked from many threads.
+/// Holds what is true of two things in motion, and judges what answers say of it: README.md of
+/// judge/ says what is right and wrong. Many threads may ask it.
 class MotionJudge {
  public:
-  /// The case must outlive this.
+  /// Keeps the case, which must outlive it.
   explicit MotionJudge(const Case& query) : query_(query), proofs_(query) {}
 
   Judgement judge(const CaseAnswer& answer, bool is_graze);

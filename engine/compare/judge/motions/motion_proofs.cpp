@@ -14,7 +14,7 @@
 namespace graze::compare {
 namespace {
 
-/// Of the time in which something is overlooked so many moments are looked at for the worst: evenly
+/// So many moments are looked at for the worst in the time in which something is overlooked: evenly
 /// spread, and ever nearer to its beginning, for a contact may be short.
 constexpr int kMoments = 16;
 constexpr int kEarlyMoments = 20;
@@ -22,7 +22,7 @@ constexpr int kEarlyMoments = 20;
 /// After so many steps from one gap to the next nothing is proved.
 constexpr int kMostSteps = 2000;
 
-/// A name whose answers are judged without what graze is granted: a proof has no tolerance.
+/// Answers by this name are judged without what graze is granted: a proof has no tolerance.
 const CaseWitness kNobody = {"", ""};
 
 struct MovingMesh {
@@ -30,7 +30,7 @@ struct MovingMesh {
   RigidMotion motion;
 };
 
-/// Two meshes, also where they are the shapes of bodies.
+/// Returns a mesh in motion, also where it is the shape of a body.
 std::optional<MovingMesh> as_moving_mesh(const CaseShape& shape) {
   if (const auto* mesh = std::get_if<CaseMesh>(&shape))
     return MovingMesh{mesh->mesh, motion_of(*mesh)};
@@ -40,7 +40,7 @@ std::optional<MovingMesh> as_moving_mesh(const CaseShape& shape) {
   return MovingMesh{*mesh, motion_of(*body)};
 }
 
-/// The motion up to a time, which takes the place of 1.
+/// Returns the motion up to a time, which takes the place of 1.
 RigidMotion first_part(const RigidMotion& motion, double time) {
   return {motion.start(),
           {.centre = motion.centre(),
@@ -49,8 +49,9 @@ RigidMotion first_part(const RigidMotion& motion, double time) {
            .angle = motion.angle() * time}};
 }
 
-/// What cutting off a part of a motion can move a point by, and rounding its poses: half an ulp of
-/// the shift; half an ulp of the angle on an arm of all lengths; and what law 14 says of at().
+/// Returns what cutting off a part of a motion can move a point by, and rounding its poses: half an
+/// ulp of the shift; half an ulp of the angle on an arm of all lengths; and what law 14 says of
+/// at().
 double rounding_of_parts(const MovingMesh& moving) {
   const RigidMotion& m = moving.motion;
   const Aabb& bounds = moving.mesh.bounds();
@@ -67,7 +68,7 @@ CaseShape placed(const CaseShape& shape, double time) {
   return CaseBody(body.shape, motion_of(body).at(time));
 }
 
-/// Two bodies that are meshes can be asked what meshes can.
+/// Returns a body that is a mesh as a mesh: two of these can be asked what meshes can.
 CaseShape as_mesh_if_one(CaseShape shape) {
   const auto* body = std::get_if<CaseBody>(&shape);
   const Mesh* mesh = body != nullptr ? body->shape.as<Mesh>() : nullptr;
@@ -86,7 +87,7 @@ RigidContact ask_library(const Case& query) {
   return first_contact(a.shape, motion_of(a), b.shape, motion_of(b), settings);
 }
 
-/// How far any point of a body goes from t = 0 to 1 at most.
+/// Returns the most that any point of a body goes from t = 0 to 1.
 double fastest_point(const CaseShape& shape) {
   const auto& body = std::get<CaseBody>(shape);
   if (!body.course) return 0;
@@ -138,7 +139,7 @@ bool MotionProofs::proves_free_until(double time) const {
          proves_freedom(*proof, a->mesh, motion_a, b->mesh, motion_b);
 }
 
-/// A gap that is proved at a time, or 0.
+/// Returns a gap that is proved at a time, or 0.
 double MotionProofs::proved_gap(double time) const {
   Case query = at(time, 0);
   const auto& a = std::get<CaseBody>(query.a);
@@ -149,7 +150,8 @@ double MotionProofs::proved_gap(double time) const {
   return std::min(gap.distance, gap.lower_bound);
 }
 
-/// A gap lasts as long as the fastest points of both need for it; less, for what proofs round.
+/// True if gaps lead on to `end`. A gap lasts as long as the fastest points of both need for it,
+/// less what proofs round.
 bool MotionProofs::advances_to(double end) const {
   const double speed = fastest_point(query_.a) + fastest_point(*query_.b);
   if (!std::isfinite(speed)) return false;
@@ -184,7 +186,7 @@ std::optional<double> MotionProofs::contact() {
 
 Judgement MotionProofs::judge_at(double time, bool says) const {
   const Case query = at(time, query_.settings.clearance);
-  // What is within a clearance is asked of meshes alone.
+  // Within a clearance only meshes are asked about.
   if (query.ask == Ask::Within && std::holds_alternative<CaseBody>(query.a)) return {};
   CaseAnswer answer;
   answer.says = says;
@@ -207,7 +209,8 @@ bool MotionProofs::is_near(double time) const {
   return Judge(query).judge(answer, kNobody).verdict == Verdict::Right;
 }
 
-/// As deep as the library says, which only chooses the moment; below 0 if they are apart.
+/// Returns how deep the library says that they are, which only chooses the moment; below 0 if they
+/// are apart.
 double MotionProofs::depth_at(double time) const {
   const Case query = at(time, query_.settings.clearance);
   if (const auto* a = std::get_if<CaseMesh>(&query.a)) {

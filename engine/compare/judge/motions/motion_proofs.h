@@ -10,48 +10,49 @@
 
 namespace graze::compare {
 
-/// What can be proved of two meshes or bodies in motion, found when it is first needed. The library
-/// proposes; what is said here was shown by the checker of certificates, or by the judge of poses.
-/// Safe to be asked from many threads.
+/// Proves what it can about two meshes or bodies in motion, when it is first needed. The library
+/// proposes; whatever is said here was shown by the checker of certificates, or by the judge of
+/// poses. Many threads may ask it.
 class MotionProofs {
  public:
-  /// The case must outlive this. Throws what the library throws for such motions.
+  /// Keeps the case, which must outlive it. Throws what the library throws for such motions.
   explicit MotionProofs(const Case& query);
 
-  /// What the library answers: where to look for proofs.
+  /// Returns what the library answers, which says where to look for proofs.
   const RigidContact& proposed() const { return proposed_; }
 
-  /// Whether it is proved that they stay further apart than the clearance at all times: of meshes
-  /// by a certificate, of other shapes by gaps that are proved, and last until the next.
+  /// True if it is proved that they stay further apart than the clearance at all times: meshes by a
+  /// certificate, other shapes by gaps that are proved, each of which lasts until the next.
   bool is_free() { return is_free_until(1); }
 
-  /// The same from 0 to `time`, with room for what cutting off the rest of the motions rounds.
+  /// True if that is proved from 0 to `time`, with room for what cutting off the rest of the
+  /// motions rounds.
   bool is_free_until(double time);
 
-  /// A time at which a contact is proved, the earliest that is known.
+  /// Returns a time at which a contact is proved, the earliest that is known.
   std::optional<double> contact();
 
-  /// Whether a contact at this time is proved, in the poses of law 14.
+  /// True if a contact at this time is proved, in the poses of law 14.
   bool is_contact(double time) const;
 
-  /// Whether it is proved that they are apart at this time.
+  /// True if it is proved that they are apart at this time.
   bool is_apart(double time) const;
 
-  /// Whether it is proved that they are no further apart than clearance and tolerance at this time.
+  /// True if it is proved that they are no further apart than clearance and tolerance at this time.
   bool is_near(double time) const;
 
-  /// The judgement on an engine that calls them apart, or a hit, at this time.
+  /// Returns the judgement on an engine that calls them apart, or a hit, at this time.
   Judgement judge_at(double time, bool says) const;
 
-  /// The judgement on calling them apart from one time to another, where that is worst of some
-  /// times in between; nothing where no contact is found there.
+  /// Returns the judgement on calling them apart from one time to another, where that is worst of
+  /// some times in between; nothing where no contact is found there.
   std::optional<Judgement> judge_missed(double from, double to) const;
 
-  /// Of some times the one at which they come nearest.
+  /// Returns the time, of some, at which they come nearest.
   double nearest_time() const;
 
-  /// The question about the two as they stand at a time: whether they touch, or are within a
-  /// clearance above 0.
+  /// Returns the question about the two as they stand at a time: whether they touch, or are within
+  /// a clearance above 0.
   Case at(double time, double clearance) const;
 
  private:

@@ -35,8 +35,8 @@ bool BoxTree::overlap(const Box& a, const Box& b) {
   return true;
 }
 
-// ((R_i0 x + R_i1 y) + R_i2 z) + t_i. Which end of a side gives the least product is for the sign
-// of its factor to say; what is not finite stays so, and overlaps everything that it might.
+// This is ((R_i0 x + R_i1 y) + R_i2 z) + t_i. The sign of a factor says which end of a side gives
+// the least product; what is not finite stays so, and overlaps everything that it might.
 BoxTree::Box BoxTree::placed(const Pose& pose, const Box& box) {
   Box result;
   for (int i = 0; i < 3; ++i) {
@@ -158,7 +158,7 @@ struct BoxTree::PlacedWalk {
     return true;
   }
 
-  /// The boxes are those of the nodes, placed.
+  /// Walks two nodes, whose boxes are given as they are placed.
   bool walk(std::uint32_t index_a, const Box& box_a, std::uint32_t index_b,
             const Box& box_b) const {
     if (!overlap(box_a, box_b)) return true;

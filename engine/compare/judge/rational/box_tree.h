@@ -11,20 +11,20 @@
 
 namespace graze::compare {
 
-/// The referee's own hierarchy: boxes of doubles, halved at the median. A node is halved when a
-/// walk first comes to it: most trees are walked once, and along a few ways. One thread at a time,
-/// unless all are halved.
+/// Is the referee's own hierarchy: boxes of doubles, halved at the median. A node is halved when a
+/// walk first comes to it: most trees are walked once, and along a few ways. One thread may use it
+/// at a time, unless all nodes are halved.
 class BoxTree {
  public:
   explicit BoxTree(std::span<const Triangle> triangles);
 
-  /// From now on a walk changes nothing, and many threads may walk.
+  /// Halves all nodes. From then on a walk changes nothing, and many threads may walk.
   void halve_all();
 
   /// Calls `on_pair(i, j)` for triangles whose boxes share a point, until it returns false. The
-  /// trees are of two frames, and the boxes are those of the placed ones: law 1's operations, each
-  /// rounded, on the ends of the box, of which each is monotone in every operand. So a box holds
-  /// each placed corner of its triangles to the bit, and no bound is needed.
+  /// trees are of two frames, and the boxes are placed by law 1's operations, each rounded, on the
+  /// ends of the box; each of them is monotone in every operand. So a box holds each placed corner
+  /// of its triangles to the bit, and no bound is needed.
   static void for_each_placed_overlap(
       const BoxTree& tree_a, const Pose& pose_a, const BoxTree& tree_b, const Pose& pose_b,
       const std::function<bool(std::uint32_t, std::uint32_t)>& on_pair);
@@ -47,7 +47,7 @@ class BoxTree {
   };
   struct Node {
     Box box;
-    std::uint32_t first;  ///< of its triangles in order_
+    std::uint32_t first;  ///< the first of its triangles in order_
     std::uint32_t count;
     std::uint32_t left;  ///< 0 until it is halved; the right child is the next one
     bool is_leaf() const;
@@ -66,7 +66,7 @@ class BoxTree {
 
   std::vector<Box> boxes_;
   mutable std::vector<std::uint32_t> order_;
-  mutable std::vector<Node> nodes_;  ///< never moved: there is room for all
+  mutable std::vector<Node> nodes_;  ///< nodes are never moved: there is room for all
 };
 
 }  // namespace graze::compare

@@ -6,7 +6,7 @@
 
 namespace graze::compare {
 
-/// "apart by 0.25 m", with all digits that tell a double from its neighbours.
+/// Returns "apart by 0.25 m", with all digits that tell a double from its neighbours.
 inline std::string in_metres(const char* what, double length) {
   std::array<char, 32> text;
   const std::to_chars_result end = std::to_chars(text.data(), text.data() + text.size(), length);

@@ -53,7 +53,7 @@ bool MeshReferee::is_hit(const TrianglePair& pair) const {
   return is_hit(triangle_a(pair.a), triangle_b(pair.b));
 }
 
-/// Until it returns false.
+/// Calls `on_hit` for each hit until it returns false.
 template <typename OnHit>
 void MeshReferee::for_each_hit(const OnHit& on_hit) const {
   BoxTree::for_each_placed_overlap(
@@ -96,7 +96,7 @@ MeshReferee::Gap MeshReferee::find_gap(const std::optional<TrianglePair>& hint) 
   const auto square_of = [&](std::uint32_t a, std::uint32_t b) {
     return squared_distance(exactly(triangle_a(a)), exactly(triangle_b(b)));
   };
-  // A bound above the root, so that no nearer pair is skipped.
+  // The bound is above the root, so that no nearer pair is skipped.
   const auto bound_of = [](const mpq_class& square) {
     return rounded_root(square) * (1 + 0x1p-50);
   };

@@ -14,26 +14,27 @@
 
 namespace graze::compare {
 
-/// The arbiter for two placed meshes, surfaces only: law 1 places them, all else is integers and
-/// rationals, but for what rounded numbers with bounds of their errors prove (surely_intersects()).
-/// Safe from many threads.
+/// Is the arbiter for two placed meshes, surfaces only: law 1 places them, and all else is in
+/// integers and rationals, but for what rounded numbers with bounds of their errors prove
+/// (surely_intersects()). Many threads may ask it.
 class MeshReferee {
  public:
   /// With Touch::Exclude a hit is a pair that crosses.
   MeshReferee(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b,
               Touch touch = Touch::Include);
 
-  /// A pair that shares a point, if there is one.
+  /// Returns a pair that shares a point, if there is one.
   std::optional<TrianglePair> find_hit() const;
 
-  /// All of them, ascending.
+  /// Returns all such pairs, ascending.
   std::vector<TrianglePair> find_hits() const;
 
   struct Gap {
-    mpq_class square;  ///< of the distance, m^2
+    mpq_class square;  ///< the square of the distance, m^2
     TrianglePair pair;
   };
-  /// The least distance, 0 if a pair is a hit. A pair that is near, if one is known, saves time.
+  /// Finds the least distance, 0 if a pair is a hit. A pair that is near, if one is known, saves
+  /// time.
   Gap find_gap(const std::optional<TrianglePair>& hint = std::nullopt) const;
 
   bool is_hit(const TrianglePair& pair) const;
@@ -43,13 +44,13 @@ class MeshReferee {
   Triangle triangle_b(std::uint32_t index) const { return b_.triangle(index); }
 
  private:
-  /// A mesh where it is. Few questions need all of its triangles there.
+  /// Holds a mesh where it is. Few questions need all of its triangles there.
   class Surface {
    public:
     explicit Surface(const PlacedMeshView& mesh);
     Triangle triangle(std::uint32_t index) const;
     const std::vector<Triangle>& triangles() const;
-    const BoxTree& tree() const { return known_->tree(); }  ///< of the mesh's own frame
+    const BoxTree& tree() const { return known_->tree(); }  ///< the tree in the mesh's own frame
     const Pose& pose() const { return pose_; }
 
    private:
@@ -68,14 +69,14 @@ class MeshReferee {
   Surface b_;
 };
 
-/// How far a point is from the nearest of some triangles: exact, and rounded once.
+/// Returns how far a point is from the nearest of some triangles: exactly, and rounded once.
 double distance_to(const std::vector<Triangle>& surface, const Eigen::Vector3d& point);
 
-/// The largest absolute coordinate of all placed triangles.
+/// Returns the largest absolute coordinate of all placed triangles.
 double largest_coordinate(const MeshReferee& referee);
 
-/// How far B must be moved along a unit vector until a plane across it parts the two; negative if
-/// one does already. In double, off by some ulp of the largest coordinate.
+/// Returns how far B must be moved along a unit vector until a plane across it parts the two;
+/// negative if one does already. It computes in double, off by some ulp of the largest coordinate.
 double overlap_along(const MeshReferee& referee, const Eigen::Vector3d& normal);
 
 }  // namespace graze::compare

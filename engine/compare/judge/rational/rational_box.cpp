@@ -23,9 +23,9 @@ std::vector<RationalPoint> corners_of(const RationalBox& box) {
 
 using Directions = std::vector<RationalPoint>;
 
-/// What the difference of two convex bodies is bounded by: the normals of both, and of each pair of
-/// edges. Of flat bodies also what stands on their edges within their planes; normals too many
-/// change nothing, for no normal parts what meets.
+/// Returns the normals that bound the difference of two convex bodies: those of both, and those
+/// across each pair of edges. For flat bodies these are also the normals of their edges within
+/// their planes; normals too many change nothing, for no normal parts bodies that meet.
 Directions axes_of(const Directions& normals_a, const Directions& edges_a,
                    const Directions& normals_b, const Directions& edges_b) {
   Directions axes = normals_a;

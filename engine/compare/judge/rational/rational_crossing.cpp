@@ -12,7 +12,8 @@ RationalPoint normal_of(const RationalTriangle& t) {
   return cross(edge_of(t, 0), edge_of(t, 1));
 }
 
-/// How far the corners of t are on the positive side of the plane of `plane`, times its area.
+/// Returns how far the corners of t are on the positive side of the plane of `plane`, times its
+/// area.
 std::array<mpq_class, 3> heights_above(const RationalTriangle& plane, const RationalTriangle& t) {
   const RationalPoint normal = normal_of(plane);
   std::array<mpq_class, 3> heights;
@@ -26,7 +27,7 @@ bool is_on_both_sides(const std::array<mpq_class, 3>& heights) {
   return *low < 0 && *high > 0;
 }
 
-/// Where the sides of t go through the plane, or have an end in it.
+/// Returns where the sides of t go through the plane, or have an end in it.
 std::vector<RationalPoint> points_at_height_zero(const RationalTriangle& t,
                                                  const std::array<mpq_class, 3>& heights) {
   std::vector<RationalPoint> points;
@@ -47,7 +48,8 @@ struct OpenInterval {
   mpq_class high;
 };
 
-/// Of a triangle with area that a plane has on both sides, its cut along a direction of the plane.
+/// Returns the cut of a triangle with area, which a plane has on both sides, along a direction of
+/// the plane.
 OpenInterval cut_along(const RationalPoint& direction, const RationalTriangle& t,
                        const std::array<mpq_class, 3>& heights) {
   std::vector<mpq_class> values;
@@ -57,7 +59,7 @@ OpenInterval cut_along(const RationalPoint& direction, const RationalTriangle& t
   return {*low, *high};
 }
 
-/// A segment, whose three corners are on one line, and a triangle with area.
+/// True if a segment, whose three corners are on one line, pierces a triangle with area.
 bool does_pierce(const RationalTriangle& segment, const RationalTriangle& t) {
   const std::array<mpq_class, 3> heights = heights_above(t, segment);
   if (!is_on_both_sides(heights)) return false;

@@ -19,7 +19,7 @@ Range range_of(const Triangle& t, int axis) {
   return {std::min({t.a[axis], t.b[axis], t.c[axis]}), std::max({t.a[axis], t.b[axis], t.c[axis]})};
 }
 
-/// Whether the moved point lies in the triangle's shadow on the plane of y and z.
+/// True if the moved point lies in the triangle's shadow on the plane of y and z.
 bool is_in_shadow(const RationalTriangle& t, const RationalPoint& p) {
   bool is_inside = false;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -32,7 +32,7 @@ bool is_in_shadow(const RationalTriangle& t, const RationalPoint& p) {
   return is_inside;
 }
 
-/// Whether the triangle, which casts a shadow on the point, is at larger x.
+/// True if the triangle, which casts a shadow on the point, is at larger x.
 bool is_ahead(const RationalTriangle& t, const RationalPoint& p) {
   const RationalPoint normal = cross(edge_of(t, 0), edge_of(t, 1));
   // normal . (x, p_y, p_z) = normal . t[0] at the x sought; normal[0] is the shadow's area.

@@ -7,7 +7,7 @@ namespace {
 
 using Meeting = std::optional<mpq_class>;
 
-/// On one line with the ray: the first of the segment that is not behind the origin.
+/// Returns, for a segment on one line with the ray, its first point that is not behind the origin.
 Meeting first_on_line(const RationalRay& ray, const RationalPoint& from, const RationalPoint& to) {
   const mpq_class square = dot(ray.direction, ray.direction);
   const mpq_class s_from = dot(minus(from, ray.origin), ray.direction) / square;

@@ -17,9 +17,9 @@ struct RationalRay {
 
 RationalRay exactly(const Ray& ray);
 
-/// The least s >= 0 at which the ray is in the closed triangle; nothing if there is none. A
-/// triangle whose plane holds the ray, or that has no area, is met at its sides or where the ray
-/// begins.
+/// Returns the least s >= 0 at which the ray is in the closed triangle, and nothing if there is
+/// none. A triangle whose plane holds the ray, or that has no area, is met at its sides or where
+/// the ray begins.
 std::optional<mpq_class> first_meeting(const RationalRay& ray, const RationalTriangle& triangle);
 
 }  // namespace graze::compare

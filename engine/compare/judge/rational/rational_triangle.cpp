@@ -56,7 +56,7 @@ RationalPoint placed(const Pose& pose, const Eigen::Vector3d& point) {
 using WholePoint = std::array<mpz_class, 3>;
 using WholeTriangle = std::array<WholePoint, 3>;
 
-/// Both triangles as integers, in units of one over the least common denominator.
+/// Holds both triangles as integers, in units of one over the least common denominator.
 struct WholePair {
   WholeTriangle a;
   WholeTriangle b;
@@ -95,15 +95,16 @@ mpz_class determinant(const Matrix& m, std::size_t size) {
          m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
 }
 
-/// The corners of two triangles that two bit masks name: the first of each, and the edges to the
-/// others, those of the second triangle backwards.
+/// Holds the corners of two triangles that two bit masks name: the first of each, and the edges to
+/// the others, those of the second triangle backwards.
 struct Supports {
   WholePoint apart;
   std::array<WholePoint, 3> edges;
   std::size_t edges_a = 0;
   std::size_t count = 0;
 
-  /// False if there are more than three edges, so that the system is singular in any case.
+  /// Sets the masks. False if there are more than three edges, so that the system is singular in
+  /// any case.
   bool set(const WholePair& pair, unsigned mask_a, unsigned mask_b) {
     count = 0;
     const std::size_t first_a = add(pair.a, mask_a, 1);
@@ -134,7 +135,7 @@ struct Supports {
   }
 };
 
-/// Whether numbers over a common positive denominator, and what they leave of 1, are not negative.
+/// True if numbers over a common positive denominator, and what they leave of 1, are not negative.
 bool are_weights(const std::array<mpz_class, 3>& weights, std::size_t first, std::size_t last,
                  const mpz_class& denominator) {
   mpz_class rest = denominator;
@@ -145,8 +146,9 @@ bool are_weights(const std::array<mpz_class, 3>& weights, std::size_t first, std
   return sgn(rest) >= 0;
 }
 
-/// The squared distance of the stationary points of two supports, if these lie in the hulls: the
-/// normal equations by Cramer's rule, whose determinant (of a Gram matrix) is never negative.
+/// Finds the squared distance of the stationary points of two supports, if these lie in the hulls:
+/// the normal equations are solved by Cramer's rule, whose determinant (of a Gram matrix) is never
+/// negative.
 bool find_stationary(const Supports& s, mpq_class& square) {
   Matrix gram;
   std::array<mpz_class, 3> right;
@@ -230,7 +232,8 @@ mpq_class squared_depth(const RationalTriangle& a, const RationalTriangle& b) {
       if (best == unknown || square < best) best = square;
     }
   }
-  return best == unknown ? mpq_class(0) : best;  // all on one line: a sideways move parts them
+  return best == unknown ? mpq_class(0) : best;  // if all are on one line a sideways move parts
+                                                 // them
 }
 
 bool has_no_area(const RationalTriangle& triangle) {
@@ -246,7 +249,7 @@ double rounded_root(const mpq_class& square) {
 
 double root_error(double value, const mpq_class& square) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  // What is beyond the largest double rounds to infinity, without an error.
+  // A number beyond the largest double rounds to infinity, without an error.
   if (value == kInfinity && rounded_root(square) == kInfinity) return 0;
   if (!std::isfinite(value)) return kInfinity;
   return root_error(mpq_class(value), square);

@@ -7,8 +7,9 @@
 namespace graze::compare {
 namespace {
 
-/// Both of two pairs that take turns, however large: a mesh of a million triangles takes some
-/// 250 MB here. More, as of a scene, while all together have no more than so many triangles.
+/// So many meshes are kept however large they are, both of two pairs that take turns: a mesh of a
+/// million triangles takes some 250 MB here. More are kept, as those of a scene, while all together
+/// have no more than so many triangles.
 constexpr std::size_t kKeptOfAnySize = 4;
 constexpr std::size_t kMostTriangles = std::size_t{1} << 17;
 
@@ -23,7 +24,7 @@ std::vector<Triangle> triangles_of(const Mesh& mesh) {
   return triangles;
 }
 
-/// Those that were asked for last come first.
+/// Keeps meshes; those that were asked for last come first.
 class Shelf {
  public:
   std::shared_ptr<const RefereeMesh> find(const Mesh& mesh) {
@@ -31,7 +32,7 @@ class Shelf {
     return find_unlocked(mesh);
   }
 
-  /// Two threads may have made the same one: both are right, and neither has waited.
+  /// Adds a mesh. Two threads may have made the same one: both are right, and neither has waited.
   void add(std::shared_ptr<const RefereeMesh> mesh) {
     const std::lock_guard lock(mutex_);
     if (find_unlocked(mesh->mesh())) return;

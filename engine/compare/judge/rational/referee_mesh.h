@@ -7,8 +7,8 @@
 
 namespace graze::compare {
 
-/// A mesh as the referee holds it for any pose: the hierarchy over its triangles, in its own frame,
-/// from the mesh's vertices alone. Safe to be walked from many threads. O(n log n).
+/// Holds a mesh as the referee does for any pose: the hierarchy over its triangles, in its own
+/// frame, from the mesh's vertices alone. Many threads may walk it. Building takes O(n log n).
 class RefereeMesh {
  public:
   explicit RefereeMesh(const Mesh& mesh);
@@ -21,8 +21,8 @@ class RefereeMesh {
   BoxTree tree_;
 };
 
-/// The mesh as it was held before, if it is one of the few that were asked for last: a run judges
-/// thousands of questions about two meshes. Safe from many threads.
+/// Returns the mesh as it was held before, if it is one of the few that were asked for last: a run
+/// judges thousands of questions about two meshes. Many threads may call this.
 std::shared_ptr<const RefereeMesh> referee_mesh(const Mesh& mesh);
 
 }  // namespace graze::compare

@@ -7,17 +7,17 @@
 namespace graze::compare {
 namespace {
 
-/// Hits whose triangles give directions, and whose slabs are kept.
+/// So many hits give directions by their triangles, and keep their slabs.
 constexpr std::size_t kMaxKnown = 64;
 
-/// Pairs that are looked at for the size of an error that is not one of rounding.
+/// So many pairs are looked at for the size of an error that is not one of rounding.
 constexpr std::size_t kMaxEffort = 4096;
 
 /// Directions nearer to each other than this are one.
 constexpr double kSameDirection = 0x1p-30;
 
-/// The normals of the facets of the difference of two triangles; of two in parallel planes those
-/// within the plane too.
+/// Returns the normals of the facets of the difference of two triangles; if these are in parallel
+/// planes, those within the plane, too.
 std::vector<RationalPoint> axes_of(const RationalTriangle& a, const RationalTriangle& b) {
   const RationalPoint normal_a = cross(edge_of(a, 0), edge_of(a, 1));
   const RationalPoint normal_b = cross(edge_of(b, 0), edge_of(b, 1));
@@ -37,7 +37,7 @@ std::vector<RationalPoint> axes_of(const RationalTriangle& a, const RationalTria
 }
 
 Eigen::Vector3d rounded_unit(const RationalPoint& p) {
-  // Divided first: what is beyond the range of doubles has a direction too.
+  // They are divided first: numbers beyond the range of doubles have a direction, too.
   mpq_class largest = 0;
   for (const mpq_class& x : p)
     largest = std::max<mpq_class>(largest, abs(x));
@@ -154,14 +154,14 @@ void SeparatingTranslation::add_directions(std::size_t hit) {
   const Eigen::Vector3d normal_b = rounded_unit(cross(edge_of(b, 0), edge_of(b, 1)));
   add_direction(normal_a);
   add_direction(normal_b);
-  // Out of a corner: away from both of its faces.
+  // This leads out of a corner: away from both of its faces.
   if (directions_.size() < 2 * kMaxKnown) {
     add_direction((normal_a + normal_b).normalized());
     add_direction((normal_a - normal_b).normalized());
   }
 }
 
-/// How far B must go until a plane across the direction parts the two.
+/// Returns how far B must go until a plane across the direction parts the two.
 double SeparatingTranslation::length_along(const Eigen::Vector3d& direction) const {
   double most_a = -std::numeric_limits<double>::infinity();
   double least_b = std::numeric_limits<double>::infinity();

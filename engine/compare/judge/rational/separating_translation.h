@@ -10,9 +10,9 @@
 
 namespace graze::compare {
 
-/// A short translation of B after which no pair of triangles hits any more. That each pair alone
-/// needs little says nothing: of two cubes pushed into each other along an axis all pairs merely
-/// touch.
+/// Finds a short translation of B after which no pair of triangles hits any more. That each pair
+/// alone needs little says nothing: all pairs of two cubes pushed into each other along an axis
+/// merely touch.
 ///
 /// Directions are tried, not all of them: the axes, normals of triangles that hit, and the shortest
 /// translation that parts each pair. Along one of them the answer is exact, in rational numbers:
@@ -20,17 +20,18 @@ namespace graze::compare {
 /// goes beyond separates the two. So a length found is always enough, an upper bound of the depth.
 class SeparatingTranslation {
  public:
-  /// `hits` are all that there are; both must outlive this.
+  /// Keeps `hits`, which are all that there are; both must outlive it.
   SeparatingTranslation(const MeshReferee& referee, const std::vector<TrianglePair>& hits);
 
-  /// The length of the shortest translation found, metres, if it is no longer than `limit`.
+  /// Returns the length of the shortest translation found, metres, if it is no longer than `limit`.
   std::optional<double> find_within(double limit);
 
-  /// The shortest one found with bounded effort, at most what lets the boxes of both part.
+  /// Returns the shortest one found with bounded effort, at most what lets the boxes of both part.
   double find();
 
  private:
-  /// Of the move t * d the triangles share a point only while t * (normal . d) lies between these.
+  /// During the move t * d the triangles share a point only while t * (normal . d) lies between
+  /// these.
   struct Slab {
     RationalPoint normal;
     mpq_class low;
@@ -51,14 +52,14 @@ class SeparatingTranslation {
   void add_directions(std::size_t hit);
   double length_along(const Eigen::Vector3d& direction) const;
   bool may_look();
-  /// The square of the least length along the direction, if it is no more than `limit`.
+  /// Returns the square of the least length along the direction, if it is no more than `limit`.
   std::optional<mpq_class> march(const Eigen::Vector3d& direction, const mpq_class& limit);
 
   const MeshReferee& referee_;
   const std::vector<TrianglePair>& hits_;
-  std::vector<std::vector<Slab>> known_slabs_;  ///< of the first hits
+  std::vector<std::vector<Slab>> known_slabs_;  ///< the slabs of the first hits
   std::vector<Eigen::Vector3d> directions_;
-  std::size_t effort_ = 0;  ///< pairs that may yet be looked at
+  std::size_t effort_ = 0;  ///< the number of pairs that may yet be looked at
 };
 
 }  // namespace graze::compare

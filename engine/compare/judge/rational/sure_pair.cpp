@@ -11,15 +11,15 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// A number and how far the real one may be from it. A rounded sum or product is off by up to 2^-53
-/// of itself, but for a product that underflows, which is off by less than kLeast; the seven
-/// roundings of the bound itself are less than kUp - 1 of it, or less than kLeast again. What
-/// overflows has an infinite bound, or one that is no number, and no sign.
+/// Holds a number and how far the real one may be from it. A rounded sum or product is off by up to
+/// 2^-53 of itself, but for a product that underflows, which is off by less than kLeast; the seven
+/// roundings of the bound itself are less than kUp - 1 of it, or less than kLeast again. A number
+/// that overflows has an infinite bound, or NaN for one, and no sign.
 struct Near {
   double value = 0;
   double error = 0;
 
-  /// 1 or -1 if the real number surely has that sign, else 0.
+  /// Returns 1 or -1 if the real number surely has that sign, else 0.
   int sign() const { return value > error ? 1 : value < -error ? -1 : 0; }
 };
 
@@ -64,7 +64,7 @@ Corners corners_of(const Triangle& t) {
   return {t.a, t.b, t.c};
 }
 
-/// On which side of the plane of a triangle the corners of another surely lie.
+/// Returns on which side of the plane of a triangle the corners of another surely lie.
 std::array<int, 3> sides(const Corners& plane, const Corners& corners) {
   const NearVector normal =
       near_cross(difference(plane[1], plane[0]), difference(plane[2], plane[0]));
@@ -74,7 +74,7 @@ std::array<int, 3> sides(const Corners& plane, const Corners& corners) {
   return result;
 }
 
-/// Whether the line through two points surely passes within the sides of a triangle: it has them
+/// True if the line through two points surely passes within the sides of a triangle: it has them
 /// all on one hand.
 bool passes_within(const Vector3d& from, const Vector3d& to, const Corners& triangle) {
   const NearVector along = difference(to, from);
@@ -98,9 +98,9 @@ bool has_edge_through(const Corners& edges, const std::array<int, 3>& side, cons
   return false;
 }
 
-/// Whether the axis seems to part the two, in plain doubles: that proves nothing.
+/// True if the axis seems to part the two, in plain doubles, which proves nothing.
 bool seems_to_part(const Vector3d& axis, const Corners& a, const Corners& b) {
-  double most_a = 0;  // from a's first corner on
+  double most_a = 0;  // the most from a's first corner on
   double least_a = 0;
   double most_b = -std::numeric_limits<double>::infinity();
   double least_b = std::numeric_limits<double>::infinity();
@@ -115,7 +115,7 @@ bool seems_to_part(const Vector3d& axis, const Corners& a, const Corners& b) {
   return least_b > most_a || least_a > most_b;
 }
 
-/// Whether every corner of B surely lies beyond every corner of A along the axis, or before it.
+/// True if every corner of B surely lies beyond every corner of A along the axis, or before it.
 bool surely_parts(const Vector3d& axis, const Corners& a, const Corners& b) {
   const NearVector along = {Near{axis.x()}, Near{axis.y()}, Near{axis.z()}};
   std::array<Near, 3> in_a;
@@ -133,7 +133,8 @@ bool surely_parts(const Vector3d& axis, const Corners& a, const Corners& b) {
   return true;
 }
 
-/// By a normal, or an axis across an edge of each: one of them parts what is apart.
+/// Proves it by a normal, or an axis across an edge of each: one of them parts triangles that are
+/// apart.
 bool are_surely_apart(const Corners& a, const Corners& b) {
   const std::array<Vector3d, 3> edges_a = {a[1] - a[0], a[2] - a[1], a[0] - a[2]};
   const std::array<Vector3d, 3> edges_b = {b[1] - b[0], b[2] - b[1], b[0] - b[2]};
@@ -163,7 +164,8 @@ bool lies_surely_beyond(const Triangle& triangle_a, const Triangle& triangle_b,
   const Corners a = corners_of(triangle_a);
   const Corners b = corners_of(triangle_b);
   const NearVector axis = {Near{along.x()}, Near{along.y()}, Near{along.z()}};
-  // Above the product in real numbers: the root of a sum of three squares, and two products.
+  // This is above the product in real numbers: the root of a sum of three squares, and two
+  // products.
   const double beyond = along.stableNorm() * distance * (1 + 0x1p-48);
   if (!(beyond > kLeast)) return false;
   for (const Vector3d& p : a) {

@@ -9,7 +9,7 @@
 namespace graze::compare {
 namespace {
 
-/// A ball and something at a distance from its centre.
+/// Returns the error of a ball and something at a distance from its centre.
 VolumeError ball_error(const mpq_class& squared_distance, const mpq_class& radius) {
   return {squared_distance <= radius * radius, root_error(radius, squared_distance)};
 }
@@ -21,7 +21,7 @@ VolumeError error_of(const Sphere& a, const Sphere& b) {
 
 VolumeError error_of(const Sphere& ball, const Aabb& box) {
   mpq_class square = 0;
-  std::optional<mpq_class> to_face;  // from inside
+  std::optional<mpq_class> to_face;  // the way to a face from inside
   for (int axis = 0; axis < 3; ++axis) {
     const mpq_class c = ball.centre[axis];
     const mpq_class below = mpq_class(box.min[axis]) - c;
@@ -50,7 +50,7 @@ VolumeError box_error(const A& a, const RationalBox& b) {
   return {false, rounded_root(squared_gap(a, b))};
 }
 
-/// By both readings of a pose.
+/// Returns the box by both readings of a pose.
 std::vector<RationalBox> readings_of(const CaseShape& shape) {
   if (const auto* box = std::get_if<Aabb>(&shape)) return {exactly(*box)};
   if (const auto* box = std::get_if<Obb>(&shape)) return {exactly(*box), exactly_by_frame(*box)};

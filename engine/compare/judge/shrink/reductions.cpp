@@ -41,7 +41,9 @@ void shorten(double value, const std::function<bool(double)>& will_do) {
     const double coarse =
         digits == 0 ? 0
                     : std::ldexp(std::nearbyint(std::ldexp(fraction, digits)), exponent - digits);
-    if (!std::isfinite(coarse)) continue;  // beyond the largest double, where fewer digits round up
+    if (!std::isfinite(coarse))
+      continue;  // where fewer digits round up it may be beyond the
+                 // largest double
     if (coarse == value || will_do(coarse)) return;
   }
 }

@@ -21,8 +21,8 @@ Mesh placed_triangle(const CaseMesh& mesh, std::uint32_t index) {
           std::array<TriangleIndices, 1>{{{0, 1, 2}}}};
 }
 
-/// The triangles of a mesh, the nearest to a point first: by their boxes, in double, for it says
-/// only where to look first. Those that are equally near are in the order of the mesh.
+/// Returns the triangles of a mesh, the nearest to a point first: by their boxes, in double, as
+/// this only says where to look first. Those that are equally near are in the order of the mesh.
 Indices nearest_first(const CaseMesh& mesh, const Eigen::Vector3d& point) {
   const std::size_t count = mesh.mesh.triangles().size();
   std::vector<double> squares(count);
@@ -39,7 +39,7 @@ Indices nearest_first(const CaseMesh& mesh, const Eigen::Vector3d& point) {
   return order;
 }
 
-/// So many of the first, in the order of the mesh.
+/// Returns so many of the first, in the order of the mesh.
 Indices first_of(const Indices& order, std::size_t count) {
   const std::size_t end = std::min(count, order.size());
   Indices some(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(end));
@@ -47,13 +47,13 @@ Indices first_of(const Indices& order, std::size_t count) {
   return some;
 }
 
-/// Without overflow.
+/// Returns the middle without overflow.
 Eigen::Vector3d middle_of(const CaseMesh& mesh, std::uint32_t index) {
   const Triangle t = place(mesh.pose, mesh.mesh.triangle(index));
   return t.a / 3 + t.b / 3 + t.c / 3;
 }
 
-/// Another mesh in the same pose and motion.
+/// Returns another mesh in the same pose and motion.
 CaseMesh with_mesh(const CaseMesh& before, const Mesh& mesh) {
   CaseMesh after(mesh, before.pose);
   after.course = before.course;
@@ -69,7 +69,8 @@ class Shrinking {
 
   Case take() { return best_; }
 
-  /// Of a triangle that is placed no motion is asked.
+  /// Tries the two triangles as they are placed. Nothing is asked about the motion of such
+  /// triangles.
   bool try_placed(const TrianglePair& pair) {
     if (best_.ask == Ask::FirstContact || best_.ask == Ask::Free) return false;
     return try_meshes(CaseMesh(placed_triangle(meshes_.a, pair.a), Pose::Identity()),
@@ -109,7 +110,7 @@ class Shrinking {
     }
   }
 
-  /// Coordinates with fewer digits: of each the coarsest rounding that shows the same.
+  /// Takes digits from coordinates: each gets the coarsest rounding that shows the same.
   void simplify() {
     auto* a = std::get_if<CaseMesh>(&best_.a);
     auto* b = best_.b ? std::get_if<CaseMesh>(&*best_.b) : nullptr;
@@ -146,7 +147,7 @@ class Shrinking {
       vertices[corner % 3][axis] = coarse;
       try {
         mesh = with_mesh(mesh, Mesh(vertices, mesh.mesh.triangles()));
-      } catch (const Error&) {  // what is no mesh is none to try
+      } catch (const Error&) {  // arrays that are no mesh are not tried
         return false;
       }
       return try_case(std::move(candidate));

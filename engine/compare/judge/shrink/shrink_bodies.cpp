@@ -12,10 +12,11 @@
 namespace graze::compare {
 namespace {
 
-/// Of longer lists each number would cost a question or five.
+/// In longer lists each number would cost a question or five.
 constexpr std::size_t kMostNumbers = 60;
 
-/// The shape as it is when a file has held it: rounding that comes to rest at once, or nearly so.
+/// Returns the shape as it is when a file has held it: its rounding comes to rest at once, or
+/// nearly so.
 std::optional<Shape> as_read_back(Shape shape) {
   for (int i = 0; i < 8; ++i) {
     const std::vector<double> numbers = numbers_of(shape);
@@ -33,7 +34,7 @@ class BodyShrinking {
     best_.answer.reset();
   }
 
-  /// Both bodies as a file would give them back.
+  /// Makes both bodies what a file would give back.
   bool round_trip() {
     Case candidate = best_;
     for (const Side side : kSides) {
@@ -73,7 +74,7 @@ class BodyShrinking {
     return true;
   }
 
-  /// A shape that its constructor refuses is none to try.
+  /// Tries another body. A shape that its constructor refuses is not tried.
   bool try_body(Side side, const std::function<void(CaseBody&)>& change) {
     try {
       Case candidate = best_;

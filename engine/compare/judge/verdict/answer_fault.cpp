@@ -9,7 +9,7 @@ namespace {
 
 using Fault = std::optional<std::string>;
 
-/// How many triangles a shape has; one of all but meshes.
+/// Returns how many triangles a shape has; one for all but meshes.
 std::size_t triangle_count(const CaseShape& shape) {
   if (const auto* mesh = std::get_if<CaseMesh>(&shape)) return mesh->mesh.triangles().size();
   const auto* body = std::get_if<CaseBody>(&shape);
@@ -22,7 +22,7 @@ Fault fault_of_triangle(std::uint32_t triangle, std::size_t count) {
   return std::string("names triangle ") + std::to_string(triangle) + " of " + std::to_string(count);
 }
 
-/// The sizes of the two meshes that an answer names triangles of.
+/// Keeps the sizes of the two meshes that an answer names triangles of.
 class TriangleFaults {
  public:
   explicit TriangleFaults(const Case& query)

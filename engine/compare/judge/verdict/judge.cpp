@@ -26,7 +26,7 @@ Judgement judge_ray(const Case& query, const CaseAnswer& answer, bool is_graze) 
   return judge_surface_ray(of_mesh, answer, is_graze);
 }
 
-/// Whether graze says of itself that it has not found the least depth of these two.
+/// True if graze says of itself that it has not found the least depth of these two.
 bool has_no_least_depth(const PlacedBody& a, const PlacedBody& b) {
   Work work;
   find_contacts({a.shape, a.pose}, {b.shape, b.pose}, &work);
@@ -41,13 +41,13 @@ PartsReview review_distance_or_contacts(const PlacedBody& a, const PlacedBody& b
                   : review_others_contacts(a, b, *answer.manifold, truth);
 }
 
-/// Small errors are of tolerance, whatever was found.
+/// Returns the class: small errors are of tolerance, whatever was found.
 ErrorClass class_of(const ShapeJudge& judge, const Judgement& judgement) {
   const ErrorClass by_size = judge.class_of(judgement.error);
   return by_size == ErrorClass::Real ? judgement.error_class : by_size;
 }
 
-/// Whether they meet, and if that is right or not judged, what else is said of them.
+/// Judges whether they meet, and if that is right or not judged, what else is said of them.
 Judgement judge_bodies(const ShapeJudge& judge, const Case& query, const CaseAnswer& answer,
                        const CaseWitness& witness) {
   const BodyCase pair = *as_bodies(query);

@@ -20,12 +20,13 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::size_t kMostErrors = 4096;  // bytes of standard error that are kept
+constexpr std::size_t kMostErrors = 4096;  // the bytes of standard error that are kept
 constexpr std::size_t kLongestWords = 160;
-constexpr std::chrono::milliseconds kPatience(1000);  // from the end of its output to its own end
+constexpr std::chrono::milliseconds kPatience(1000);  // the time from the end of its output to its
+                                                      // own end
 
-/// A program that reads no more must not end this one: while this lives, SIGPIPE does not reach the
-/// thread, and one that came of its writing is taken away.
+/// Keeps SIGPIPE away from the thread while it lives, and takes away one that came of its writing:
+/// a program that reads no more must not end this one.
 class NoBrokenPipe {
  public:
   NoBrokenPipe() : signal_(), before_() {
@@ -62,13 +63,13 @@ void set_nonblocking(int descriptor) {
   fcntl(descriptor, F_SETFL, fcntl(descriptor, F_GETFL) | O_NONBLOCK);
 }
 
-/// What posix_spawn() is told, until it has been.
+/// Holds what posix_spawn() is told, until it has been.
 class SpawnPlan {
  public:
   SpawnPlan() : actions_(), attributes_() {
     posix_spawn_file_actions_init(&actions_);
     posix_spawnattr_init(&attributes_);
-    // As from a shell, whatever this process does with its signals.
+    // Signals are as from a shell, whatever this process does with its own.
     sigset_t signals;
     sigemptyset(&signals);
     posix_spawnattr_setsigmask(&attributes_, &signals);
@@ -109,8 +110,8 @@ class SpawnPlan {
 
 void ChildProcess::Pipe::open() {
   if (pipe2(ends, O_CLOEXEC) != 0) throw std::system_error(errno, std::generic_category(), "pipe");
-  // Above the three standard ones, should this process have closed its own: dup2() onto itself
-  // would leave one open twice.
+  // The ends go above the three standard ones, should this process have closed its own: dup2() onto
+  // itself would leave one open twice.
   for (int& end : ends) {
     if (end > STDERR_FILENO) continue;
     const int higher = fcntl(end, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
@@ -193,14 +194,14 @@ std::string ChildProcess::exchange(std::string_view text, Seconds timeout, std::
   }
 }
 
-/// False if nobody reads.
+/// Writes some of the text. False if nobody reads.
 bool ChildProcess::write_some(std::string_view text, std::size_t& written) {
   const ssize_t count = write(in_.ends[1], text.data() + written, text.size() - written);
   if (count > 0) written += static_cast<std::size_t>(count);
   return count >= 0 || errno == EAGAIN || errno == EINTR;
 }
 
-/// False at the end.
+/// Reads some bytes. False at the end.
 bool ChildProcess::read_some(int descriptor, std::string& into) const {
   std::array<char, 65536> bytes;
   const ssize_t count = read(descriptor, bytes.data(), bytes.size());
@@ -218,7 +219,7 @@ void ChildProcess::fail(const std::string& why) {
   throw EngineFailure(why + last_words());
 }
 
-/// How a program whose pipe is closed ended, or is made to.
+/// Says how a program whose pipe is closed ended, or is made to.
 std::string ChildProcess::end_of_it() {
   siginfo_t info = {};
   for (const auto start = Clock::now(); Clock::now() - start < kPatience;) {
@@ -231,7 +232,7 @@ std::string ChildProcess::end_of_it() {
   return "died of " + name_of_signal(info.si_status);
 }
 
-/// The last line of its standard error, if it wrote any there.
+/// Returns the last line of its standard error, if it wrote any there.
 std::string ChildProcess::last_words() {
   for (std::size_t before = errors_.size() + 1; err_.ends[0] >= 0 && before != errors_.size();) {
     before = errors_.size();

@@ -10,10 +10,11 @@
 
 namespace graze::compare {
 
-/// Another program that is asked by lines on its standard input and answers by lines on its
+/// Runs another program that is asked by lines on its standard input and answers by lines on its
 /// standard output. One thread at a time may use it. Its standard error is read too, so that it
-/// never blocks there, and the last line of it is told if the program fails. It leads a process
-/// group of its own: ^C at a terminal does not reach it, and all that it starts ends with it.
+/// never blocks there, and the last line of it is told if the program fails. The program leads a
+/// process group of its own: ^C at a terminal does not reach it, and all that it starts ends with
+/// it.
 class ChildProcess {
  public:
   using Seconds = std::chrono::duration<double>;
@@ -21,7 +22,7 @@ class ChildProcess {
   /// Starts the program, with its arguments behind it. Throws EngineMissingError, which names it.
   explicit ChildProcess(const std::vector<std::string>& command);
 
-  /// Ends it, at once.
+  /// Ends the program at once.
   ~ChildProcess();
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
@@ -44,7 +45,7 @@ class ChildProcess {
     void open();
     void close();
     void close_end(int which);
-    int ends[2] = {-1, -1};  ///< to read from, to write to
+    int ends[2] = {-1, -1};  ///< the end to read from, the end to write to
   };
 
   bool write_some(std::string_view text, std::size_t& written);
@@ -56,7 +57,7 @@ class ChildProcess {
 
   Pipe in_, out_, err_;
   pid_t id_ = -1;
-  std::string unread_;  ///< what the program wrote and nobody has read yet
+  std::string unread_;  ///< text that the program wrote and nobody has read yet
   std::string errors_;  ///< the end of what it wrote to its standard error
 };
 

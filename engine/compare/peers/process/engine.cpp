@@ -18,14 +18,15 @@ std::optional<CaseMesh> as_mesh(const CaseShape& shape) {
   return CaseMesh(Mesh(corners, triangle), Pose::Identity());
 }
 
-/// Meshes of one triangle would be asked another query of the library, whose answer names them.
+/// True for a case of triangles alone: as meshes of one triangle they would be asked another query
+/// of the library, whose answer names them.
 bool is_of_triangles_alone(const Case& query) {
   const bool are_triangles = std::holds_alternative<Triangle>(query.a) && query.b &&
                              std::holds_alternative<Triangle>(*query.b);
   return are_triangles && (query.ask == Ask::Distance || query.ask == Ask::Intersection);
 }
 
-/// The answer, and how long it took to come by.
+/// Returns the answer, and how long it took to come by.
 template <typename Ask>
 TimedAnswer timed(const Ask& ask) {
   const auto start = std::chrono::steady_clock::now();
@@ -33,7 +34,7 @@ TimedAnswer timed(const Ask& ask) {
   return {std::move(answer), std::chrono::steady_clock::now() - start};
 }
 
-/// Another question than whether they meet, about two bodies, before an engine that holds them.
+/// Loads another question than whether they meet, about two bodies, into an engine that holds them.
 LoadedQuestion load_bodies(const Engine& engine, const Case& query, const BodyCase& bodies) {
   const std::array<Shape, 2> shapes = {bodies.a.shape, bodies.b.shape};
   const std::shared_ptr<LoadedShapes> loaded = engine.load_shapes(shapes);

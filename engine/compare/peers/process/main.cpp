@@ -1,5 +1,5 @@
-// graze-peer ENGINE: one of the engines of the adaptors, asked over its standard input. README.md
-// has the protocol.
+// Runs `graze-peer ENGINE`: one of the engines of the adaptors, asked over its standard input.
+// README.md has the protocol.
 
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/engine/compare/peers/adaptors.h>
@@ -19,7 +19,7 @@
 
 namespace {
 
-/// How long a question may go on when whoever asked it is gone.
+/// A question may go on for so long when whoever asked it is gone.
 constexpr std::chrono::seconds kGrace(10);
 
 /// Ends a process that hangs when the one that would have ended it is gone.
@@ -48,12 +48,13 @@ int main(int argc, char** argv) {
   if (replies < 0 || dup2(STDERR_FILENO, STDOUT_FILENO) < 0) return refuse(std::strerror(errno));
   std::thread(end_when_nobody_asks).detach();
   try {
-    // However libraries that were loaded have set it: an engine is asked as it is in any program.
+    // It runs in standard arithmetic however libraries that were loaded have set it: an engine is
+    // asked as it is in any program.
     graze::bvh::in_standard_arithmetic(
         [&] { graze::compare::serve_engine(*engine, std::cin, replies); });
   } catch (const std::exception& error) {
     return refuse(error.what());
   }
   std::fflush(stdout);
-  _exit(0);  // without the destructors that the other thread might still meet
+  _exit(0);  // it ends without the destructors that the other thread might still meet
 }

@@ -5,11 +5,11 @@
 namespace graze::compare {
 namespace {
 
-/// So many times as long as a load took that failed nobody tries again.
+/// After a load that failed nobody tries again for so many times as long as it took.
 constexpr int kTimesAsLong = 10;
 
-/// As many loads as threads wait for, all together, before another process is loaded. Less would
-/// have short runs begin a process of which they have no more use.
+/// Another process is loaded once threads have waited, all together, for as long as so many loads
+/// take. With fewer, short runs would begin a process of which they have no more use.
 constexpr int kLoadsToWait = 2;
 
 }  // namespace
@@ -38,7 +38,7 @@ PeerHello PeerPool::hello() {
   try {
     idle_.push_back(start());
     hello = idle_.back()->hello();
-  } catch (const EngineFailure&) {  // told again when it is asked
+  } catch (const EngineFailure&) {  // it is told again when it is asked
   }
   hello_ = hello;
   return hello;
@@ -60,7 +60,7 @@ bool PeerLoad::request(std::string member,
   const bool is_alone = history_ == PeerHistory::None;
   const bool can_fork = session->hello().can_fork;
   if (is_alone && can_fork) member += ",\"alone\":true";
-  // It comes back, unless it has failed, or its history has begun.
+  // The session comes back, unless it has failed, or its history has begun.
   const auto give_back = [&](std::unique_ptr<PeerSession> used) {
     const std::lock_guard lock(mutex_);
     --busy_;
@@ -78,7 +78,7 @@ bool PeerLoad::request(std::string member,
   }
 }
 
-/// Null if the engine refuses.
+/// Returns a session that has loaded it; null if the engine refuses.
 std::unique_ptr<PeerSession> PeerLoad::take_loaded() {
   {
     std::unique_lock lock(mutex_);
@@ -119,8 +119,9 @@ std::unique_ptr<PeerSession> PeerLoad::take_loaded() {
   }
 }
 
-/// Until one is idle, or known not to come, or until it is time to load another, which is never if
-/// that has failed. Of an engine whose every question takes a process of its own none comes back.
+/// Waits until a session is idle, or known not to come, or until it is time to load another, which
+/// is never if that has failed. None comes back from an engine whose every question takes a process
+/// of its own.
 void PeerLoad::wait_for_one(std::unique_lock<std::mutex>& lock) {
   if (history_ == PeerHistory::None && !pool_->hello().can_fork) return;
   while (idle_.empty() && !is_refused_) {
@@ -140,7 +141,7 @@ std::unique_ptr<PeerSession> PeerLoad::load_one() {
   if (history_ == PeerHistory::Shared) {
     try {
       return loaded(pool_->take());
-    } catch (const EngineFailure&) {  // perhaps of what was there before
+    } catch (const EngineFailure&) {  // perhaps it failed because of what was there before
     }
   }
   try {

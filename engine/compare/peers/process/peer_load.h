@@ -13,21 +13,22 @@
 
 namespace graze::compare {
 
-/// The processes of one engine that nobody uses, and what it says of itself. Safe to use from many
-/// threads.
+/// Keeps the processes of one engine that nobody uses, and what it says of itself. Many threads may
+/// use it.
 class PeerPool {
  public:
   explicit PeerPool(PeerProgram program) : program_(std::move(program)) {}
 
   const PeerProgram& program() const { return program_; }
 
-  /// One that is idle, whatever it has loaded, or a new one. Throws what PeerSession throws.
+  /// Returns a process that is idle, whatever it has loaded, or a new one. Throws what PeerSession
+  /// throws.
   std::unique_ptr<PeerSession> take();
   std::unique_ptr<PeerSession> start() const { return std::make_unique<PeerSession>(program_); }
   void give_back(std::unique_ptr<PeerSession> session);
 
-  /// What the engine says of itself, asked once. Throws EngineMissingError; of an engine that fails
-  /// before it says so nothing but its name is known.
+  /// Returns what the engine says of itself, asked once. Throws EngineMissingError; for an engine
+  /// that fails before it says so nothing but its name is known.
   PeerHello hello();
 
  private:
@@ -42,22 +43,23 @@ enum class PeerHistory {
   None,    ///< in processes that have loaded nothing else, as if nothing had been asked before
 };
 
-/// What one engine has loaded, in one process and, if that is not enough, in more, one for each
-/// thread that asks at once. A thread that finds all of them busy waits: only when threads have
-/// waited together for as long as two loads take, another process is loaded. So quick questions
-/// need one process, slow ones soon as many as there are threads, and waiting costs no run more
-/// than two loads for each process. Safe to use from many threads.
+/// Holds what one engine has loaded, in one process and, if that is not enough, in more, one for
+/// each thread that asks at once. A thread that finds all of them busy waits: only when threads
+/// have waited together for as long as two loads take, another process is loaded. So quick
+/// questions need one process, slow ones soon as many as there are threads, and waiting costs no
+/// run more than two loads for each process. Many threads may use it.
 class PeerLoad {
  public:
-  /// `member` is the load's text (protocol.h).
+  /// Takes the load's text `member` (protocol.h).
   PeerLoad(std::shared_ptr<PeerPool> pool, std::string member, PeerHistory history);
   ~PeerLoad();
   PeerLoad(const PeerLoad&) = delete;
   PeerLoad& operator=(const PeerLoad&) = delete;
 
-  /// As PeerSession::request(); false also if the engine refuses what is to be loaded. That it
-  /// fails to load is tried twice, and then told without trying until ten times as long has passed:
-  /// what failed for want of memory may go well later, and what hangs takes a tenth of the time.
+  /// Does what PeerSession::request() does; false also if the engine refuses what is to be loaded.
+  /// If loading fails it is tried a second time, and then the failure is told without trying until
+  /// ten times as long has passed: what failed for want of memory may go well later, and what hangs
+  /// takes a tenth of the time.
   bool request(std::string member, const std::function<void(const cases::JsonCursor&)>& on_reply);
 
  private:
@@ -74,13 +76,14 @@ class PeerLoad {
   std::mutex mutex_;
   std::condition_variable has_changed_;
   std::vector<std::unique_ptr<PeerSession>> idle_;
-  std::size_t busy_ = 0;     ///< those that threads have, and will bring back or lose
-  bool is_loading_ = false;  ///< one more, at this moment
+  std::size_t busy_ = 0;     ///< the sessions that threads have, and will bring back or lose
+  bool is_loading_ = false;  ///< true while one more is being loaded
   Clock::duration load_time_{0};
-  Clock::duration waited_{0};  ///< by all threads together, since the last load
+  Clock::duration waited_{0};  ///< the time that all threads together have waited since the last
+                               ///< load
   bool is_refused_ = false;
   std::optional<std::string> failure_;  ///< why nothing could be loaded
-  Clock::time_point next_try_;          ///< when that is tried again
+  Clock::time_point next_try_;          ///< the time when that is tried again
 };
 
 }  // namespace graze::compare

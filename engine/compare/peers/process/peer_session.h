@@ -13,19 +13,19 @@
 
 namespace graze::compare {
 
-/// An engine that speaks the protocol.
+/// Names an engine that speaks the protocol.
 struct PeerProgram {
-  std::string name;                  ///< of the engine, which it must give itself; empty: any
+  std::string name;  ///< the engine's name, which it must give itself; empty for any name
   std::vector<std::string> command;  ///< the program and its arguments
   ChildProcess::Seconds timeout{60};
   std::size_t longest_line = std::size_t{256} << 20;  ///< bytes
 };
 
-/// One process of an engine. One thread at a time may use it. What the engine does other than
+/// Is one process of an engine. One thread may use it at a time. What the engine does other than
 /// answering, or refusing, is thrown as EngineFailure; then the session is of no use any more.
 class PeerSession {
  public:
-  /// Starts it and hears who it is. Throws EngineMissingError, EngineFailure.
+  /// Starts the process and hears who it is. Throws EngineMissingError, EngineFailure.
   explicit PeerSession(const PeerProgram& program);
 
   const PeerHello& hello() const { return hello_; }

@@ -14,7 +14,7 @@ namespace {
 using cases::JsonCursor;
 using Clock = std::chrono::steady_clock;
 
-/// Its own time, if it tells that, or else what passed here.
+/// Returns the engine's own time, if it tells that, or else what passed here.
 TimedAnswer::Time time_of(const JsonCursor& reply, Clock::time_point start) {
   if (reply.has("us")) return TimedAnswer::Time(std::max(reply.member("us").number(), 0.0));
   return Clock::now() - start;
@@ -65,8 +65,8 @@ class PeerPair : public LoadedPair {
   mutable PeerLoad load_;
 };
 
-/// Shapes that no text gives back bit for bit are not asked about: the engine would be blamed for
-/// another shape.
+/// Keeps the texts of shapes. Shapes that no text gives back bit for bit are not asked about: the
+/// engine would be blamed for another shape.
 class ShapeTexts {
  public:
   explicit ShapeTexts(std::span<const Shape> shapes) {
@@ -100,7 +100,7 @@ class PeerShapes : public LoadedShapes {
     return answer.pairs.front().says;
   }
 
-  /// In lots, so that each has its time limit to itself, unless the engine wants to see all.
+  /// Asks in lots, so that each has its time limit to itself, unless the engine wants to see all.
   ShapesAnswer intersect_all(std::span<const PlacedShape> bodies, BodyPairs pairs) const override {
     constexpr std::size_t kLot = 64;
     const std::size_t lot = hello_.answers_scenes ? std::max(pairs.size(), kLot) : kLot;
@@ -139,7 +139,7 @@ class PeerShapes : public LoadedShapes {
   }
 
  private:
-  /// One by one, if the engine fails on all of them together.
+  /// Asks about a lot, and one by one if the engine fails on all of them together.
   void add_lot(std::span<const PlacedShape> bodies, BodyPairs pairs, ShapesAnswer& all) const {
     try {
       add_answers(bodies, pairs, all);
@@ -154,7 +154,7 @@ class PeerShapes : public LoadedShapes {
       add_lot(bodies, pairs.subspan(i, 1), all);
   }
 
-  /// Adds all of them, or nothing.
+  /// Adds all answers, or none.
   void add_answers(std::span<const PlacedShape> bodies, BodyPairs pairs, ShapesAnswer& all) const {
     std::vector<PlacedShape> named;
     std::vector<std::pair<std::size_t, std::size_t>> asked;
@@ -220,8 +220,8 @@ class ProcessEngine : public Engine {
   PeerHistory history_;
 };
 
-/// Beside the running program, as it is installed, or where it was built: programs of tests lie in
-/// folders of their own.
+/// Returns the program beside the running one, as it is installed, or where it was built: programs
+/// of tests lie in folders of their own.
 std::filesystem::path peer_program() {
   std::error_code ignored;
   const std::filesystem::path here = std::filesystem::read_symlink("/proc/self/exe", ignored);

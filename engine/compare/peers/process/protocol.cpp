@@ -49,7 +49,7 @@ std::string text_of(const Mesh& mesh) {
          ",\"triangles\":" + json_list(mesh.triangles(), ",", item) + "}";
 }
 
-/// The lengths that the question has, if any.
+/// Returns the lengths that the question has, if any.
 std::string lengths_text(const Question& question) {
   const CaseSettings& settings = question.settings;
   const bool is_of_motion = cases::is_about_motion(question.ask);
@@ -60,7 +60,7 @@ std::string lengths_text(const Question& question) {
          (is_of_motion ? ",\"tolerance\":" + number(settings.tolerance) : std::string()) + "}";
 }
 
-/// The member of a shape, as a case has it.
+/// Returns the member of a shape, as a case has it.
 struct ShapeText {
   static std::string round(const char* kind, double radius, const char* name, double half) {
     return std::string("{\"") + kind + "\":{\"radius\":" + number(radius) + ",\"" + name +

@@ -27,11 +27,11 @@ using cases::JsonCursor;
 using Clock = std::chrono::steady_clock;
 
 constexpr std::uint32_t kMaxIndex = std::numeric_limits<std::int32_t>::max();
-constexpr cases::JsonLimits kLimits = {.values = std::size_t{1} << 28};  // meshes of any size
+constexpr cases::JsonLimits kLimits = {.values = std::size_t{1} << 28};  // for meshes of any size
 constexpr std::size_t kLongLine = std::size_t{1} << 16;  // bytes: no question is as long
 constexpr int kHasReplied = 42;                          // no code that an engine would end with
 
-/// The engine refuses, or knows no such question.
+/// Is thrown if the engine refuses, or knows no such question.
 class Unsupported : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -98,7 +98,8 @@ class Server {
     return "{\"id\":" + id + "," + member + "}\n";
   }
 
-  /// Refusals of the engine's are the library's Errors; what else it throws is an error of its own.
+  /// Returns the reply. Refusals of the engine's are the library's Errors; what else it throws is
+  /// an error of its own.
   std::string reply_to(const JsonCursor& request, const std::string& id) {
     try {
       return reply(id, request.has("load") ? load(request.member("load")) : answer_to(request));
@@ -113,7 +114,7 @@ class Server {
     }
   }
 
-  /// The copy ends with this process, and leaves its state as it is.
+  /// Answers in a copy of this process, which ends and leaves the state as it is.
   void answer_in_copy(const JsonCursor& request, const std::string& id) {
     const pid_t copy = fork();
     if (copy == 0) {

@@ -17,13 +17,14 @@ bool is_equal(const Vec3& a, const Vec3& b) {
   return a.x == b.x && a.y == b.y && a.z == b.z;
 }
 
-/// Its faces follow from these.
+/// True if the hulls are the same; their faces follow from these members.
 bool is_same(const Hull& a, const Hull& b) {
   return is_equal(a.middle, b.middle) && std::equal(a.corners.begin(), a.corners.end(),
                                                     b.corners.begin(), b.corners.end(), is_equal);
 }
 
-/// The doubles next to `corner + middle` from which `middle` takes the corner back; at least one.
+/// Returns the doubles next to `corner + middle` from which `middle` takes the corner back; at
+/// least one.
 std::vector<double> sources_of(double corner, double middle) {
   constexpr double kFar = std::numeric_limits<double>::infinity();
   const double sum = corner + middle;
@@ -34,7 +35,7 @@ std::vector<double> sources_of(double corner, double middle) {
   return sources;
 }
 
-/// One coordinate of all corners: the outermost ones make the middle, too.
+/// Holds one coordinate of all corners: the outermost ones make the middle, too.
 class AxisSources {
  public:
   AxisSources(const std::vector<Vec3>& corners, double Vec3::*axis, double middle)

@@ -20,20 +20,20 @@ std::string number(double value) {
   return text.data();
 }
 
-/// The next power of ten that is no less.
+/// Returns the next power of ten that is no less.
 std::string rounded_up(double value) {
   if (!(value > 0) || !std::isfinite(value)) return "0";
   double power = std::pow(10.0, std::ceil(std::log10(value)));
-  if (power < value) power *= 10;  // of a logarithm that was rounded
+  if (power < value) power *= 10;  // as the logarithm was rounded
   return number(power);
 }
 
-/// What looking at the examples again has shown.
+/// Holds what looking at the examples again has shown.
 struct Seen {
   std::size_t looked_at = 0;
   std::size_t within_tolerance = 0;
   std::map<Single, std::size_t> single;
-  std::size_t explained = 0;  ///< by the tolerance or by single precision
+  std::size_t explained = 0;  ///< explained by the tolerance or by single precision
   std::vector<std::string> flat;
 
   bool is_all_explained() const { return looked_at > 0 && explained == looked_at; }
@@ -131,7 +131,7 @@ std::string margin(const WrongKind& kind) {
          "' fails on what is larger alone.";
 }
 
-/// What the class itself says.
+/// Adds what the class itself says.
 void add_of_class(const WrongKind& kind, const Seen& seen, Advice& advice) {
   const auto add = [&](Remedy remedy, std::string words) {
     advice.steps.push_back({remedy, std::move(words)});

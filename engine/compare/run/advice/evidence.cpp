@@ -35,7 +35,7 @@ double largest_of(const Triangle& t) {
       {t.a.cwiseAbs().maxCoeff(), t.b.cwiseAbs().maxCoeff(), t.c.cwiseAbs().maxCoeff()});
 }
 
-/// The two triangles that show an error best, and where they stand.
+/// Holds the two triangles that show an error best, and where they stand.
 struct Culprits {
   Triangle a;
   Pose pose_a;
@@ -62,8 +62,8 @@ bool is_finite(const std::array<Triangle, 2>& placed) {
   return std::isfinite(largest_of(placed[0])) && std::isfinite(largest_of(placed[1]));
 }
 
-/// Rounding changes whether the two touch: the engine, which says other than what is true, is then
-/// right.
+/// Finds the rounding that changes whether the two touch, so that the engine, which says other than
+/// what is true, is right.
 std::optional<Single> single_of(const Culprits& culprits) {
   const bool is_hit = do_touch(culprits.placed(std::nullopt));
   for (const Single each : {Single::Poses, Single::Vertices, Single::Placed}) {

@@ -11,32 +11,32 @@
 
 namespace graze::compare {
 
-/// Where numbers in float would explain an answer.
+/// Says where numbers in float would explain an answer.
 enum class Single {
   Poses,       ///< poses rounded to float
   Vertices,    ///< poses and vertices
   Placed,      ///< vertices, once they are placed
-  Arithmetic,  ///< its error is as small as computing in float makes it
+  Arithmetic,  ///< the answer's error is as small as computing in float makes it
 };
 
-/// So many ulp of float of the largest coordinate an answer in numbers may be off to be one of
-/// single precision: as kTouchUlps of double.
+/// An answer may be off by this many ulp of float of the largest coordinate to be one of single
+/// precision, as by kTouchUlps of double.
 inline constexpr double kSingleUlps = kTouchUlps;
 
-/// What explains one wrong answer besides a bug.
+/// Holds what explains one wrong answer besides a bug.
 struct Evidence {
   std::optional<Single> single;
   std::vector<std::uint32_t> flat_a;  ///< the first triangles of A without area
   std::vector<std::uint32_t> flat_b;
-  std::size_t flat_count_a = 0;  ///< of these there are so many
+  std::size_t flat_count_a = 0;  ///< the number of all of these
   std::size_t flat_count_b = 0;
 };
 
-/// So many flat triangles of a mesh are named.
+/// At most so many flat triangles of a mesh are named.
 inline constexpr std::size_t kFlatNamed = 8;
 
-/// Looks at the query of a wrong answer again. Of what are no two meshes nothing is known. Linear
-/// in their triangles for those without area, else constant.
+/// Looks at the query of a wrong answer again. Nothing is known unless it is about two meshes.
+/// Takes linear time in triangles without area, else constant time.
 Evidence evidence_of(const Case& query, const AnswerRecord& answer);
 
 }  // namespace graze::compare

@@ -10,7 +10,7 @@
 namespace graze::compare {
 namespace {
 
-/// Beyond that the numbers are left to the file.
+/// The numbers of longer cases are left to the file.
 constexpr std::size_t kLongestCase = 6000;
 
 std::string question_in_words(Ask ask) {
@@ -40,7 +40,7 @@ std::string size_text(const Judgement& judgement) {
   return text.data();
 }
 
-/// What is known of the error that is told: of the least case, or else of the first example.
+/// Holds what is known of the error that is told: of the least case, or else of the first example.
 struct Told {
   const Case* query = nullptr;
   const Judgement* judgement = nullptr;

@@ -8,7 +8,7 @@
 namespace graze::compare {
 namespace {
 
-/// Behind the quote that ends the string which begins at `at`.
+/// Returns the place behind the quote that ends the string which begins at `at`.
 std::size_t end_of_string(std::string_view json, std::size_t at) {
   for (++at; at < json.size() && json[at] != '"'; ++at)
     at += json[at] == '\\';

@@ -66,7 +66,7 @@ class AnswerLines : public RecordedAnswers {
 
   std::string place_of(std::size_t number) const { return name_ + ":" + std::to_string(number); }
 
-  /// False at the end.
+  /// Reads the next line. False at the end.
   bool next_line(std::ifstream& file, std::string& line, std::size_t number) const {
     if (std::getline(file, line)) return true;
     if (file.bad()) throw CaseError(name_ + ": cannot be read to its end");
@@ -74,7 +74,7 @@ class AnswerLines : public RecordedAnswers {
     return false;
   }
 
-  /// A line of a table as it would be in JSON.
+  /// Parses a line, where one of a table becomes what it would be in JSON.
   void parsed(const std::string& line, std::size_t number,
               const std::function<void(const JsonCursor&)>& read) const {
     const std::string place = place_of(number);
@@ -117,7 +117,7 @@ class AnswerLines : public RecordedAnswers {
     }
   }
 
-  /// Of a file, or of a shape that stands in the line itself.
+  /// Checks a shape that is a file's, or stands in the line itself.
   static void check_shape(const JsonCursor& at, const std::string& which,
                           const std::filesystem::path& file, const CaseShape& asked) {
     const std::string mesh = "mesh_" + which;
@@ -132,7 +132,7 @@ class AnswerLines : public RecordedAnswers {
     }
   }
 
-  /// By the text of both, bit for bit.
+  /// Compares the text of both, bit for bit.
   static bool is_same_shape(const Shape& a, const Shape& b) {
     const auto text = [](const Shape& shape) {
       return to_json(Case{.note = "",
@@ -187,7 +187,8 @@ class AnswerLines : public RecordedAnswers {
     std::vector<std::string> lines;
     for (std::string line; lines.size() < kLinesOfBlock && std::getline(file, line);)
       lines.push_back(line);
-    lines.resize(kLinesOfBlock);  // whoever cuts the file meanwhile has lines that cannot be read
+    lines.resize(kLinesOfBlock);  // if somebody cuts the file meanwhile there are lines that cannot
+                                  // be read
     return lines;
   }
 
@@ -199,7 +200,7 @@ class AnswerLines : public RecordedAnswers {
   CaseWitness witness_;
   std::optional<double> tolerance_;
   std::vector<std::string> columns_;
-  std::string sums_;  ///< of all lines
+  std::string sums_;  ///< the sums of all lines
   std::vector<std::streampos> starts_;
   BlockCache<std::string> blocks_;
 };

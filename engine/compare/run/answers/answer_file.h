@@ -10,25 +10,26 @@
 
 namespace graze::compare {
 
-/// What the answers of a file must be about.
+/// Says what the answers of a file must be about.
 struct AnswersWanted {
-  std::filesystem::path mesh_a;  ///< the files themselves, of meshes or shapes: there are sums of
-  std::filesystem::path mesh_b;  ///< their bytes
+  std::filesystem::path mesh_a;  ///< A's file, a mesh or a shape: answers may have its bytes' sum
+  std::filesystem::path mesh_b;  ///< B's file, a mesh or a shape
   const ComparisonJob& job;
 };
 
-/// Answers that an engine gave elsewhere, a line a pose behind one that says of what they are:
-/// JSON, or CSV where the name ends so (README.md). Each is read again when it is heard, so that
-/// memory does not grow with them; the file must not change meanwhile.
+/// Holds answers that an engine gave elsewhere, a line a pose behind one that says what they are
+/// about: JSON, or CSV where the name ends so (README.md). Each is read again when it is heard, so
+/// that memory does not grow with them; the file must not change meanwhile.
 struct AnswerFile {
   CaseWitness witness;  ///< who gave them, as the first line says
   std::shared_ptr<const RecordedAnswers> answers;
-  std::optional<double> tolerance = {};  ///< Engine::tolerance()
+  std::optional<double> tolerance = {};  ///< as Engine::tolerance()
 };
 
 /// Looks at every line. Throws CaseError `file:line: why` for a first line of other meshes, another
-/// question, other settings, for lines that cannot be read, and for more or fewer than the job has
-/// poses. What is no answer to the question is one all the same, and the engine's error.
+/// question, other settings, for lines that cannot be read, and for more or fewer lines than the
+/// job has poses. A line that is no answer to the question counts as one, and as the engine's
+/// error.
 AnswerFile read_answer_file(const std::filesystem::path& path, const AnswersWanted& wanted);
 
 }  // namespace graze::compare

@@ -15,10 +15,10 @@ namespace {
 
 using cases::JsonCursor;
 
-/// What may stand in place of an answer.
+/// These words may stand in place of an answer.
 constexpr std::array<std::string_view, 3> kNoAnswers = {"crash", "timeout", "nan"};
 
-/// The columns of a table, of which those of one question are there.
+/// A table may have these columns, of which those of one question are there.
 constexpr std::array<std::string_view, 7> kColumns = {"pose", "says", "distance", "status",
                                                       "low",  "high", "us"};
 
@@ -41,7 +41,8 @@ bool is_no_answer(std::string_view word) {
   return std::find(kNoAnswers.begin(), kNoAnswers.end(), word) != kNoAnswers.end();
 }
 
-/// A cell as JSON; nothing for what is none of its column. What is not finite is no answer.
+/// Returns a cell as JSON; nothing for a cell that does not suit its column. A number that is not
+/// finite is no answer.
 std::optional<std::string> json_of_cell(const std::string& column, const std::string& cell) {
   if (column == "status") return cases::json_string(cell);
   if (column == "says") {

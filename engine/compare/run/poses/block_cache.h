@@ -14,21 +14,21 @@
 
 namespace graze::compare {
 
-/// A long list that is made block by block where it is needed, and of which the blocks that were
-/// needed last are kept. May be read from many threads; who needs a block that another one is
-/// making waits for it, and meanwhile makes one of the next ones if there are any, so that a long
-/// list that is slow to make is made by all threads that read it.
+/// Holds a long list that is made block by block where it is needed, and keeps the blocks that were
+/// needed last. Many threads may read it. A thread that needs a block that another one is making
+/// waits for it, and meanwhile makes one of the next ones if there are any, so that a long list
+/// that is slow to make is made by all threads that read it.
 template <typename Item>
 class BlockCache {
  public:
   using Block = std::shared_ptr<const std::vector<Item>>;
 
-  /// `count` blocks may be made ahead; 0: none is.
+  /// Makes up to `count` blocks ahead; with 0 none is.
   explicit BlockCache(std::function<std::vector<Item>(std::size_t block)> make,
                       std::size_t count = 0)
       : make_(std::move(make)), count_(count) {}
 
-  /// Throws what making it throws.
+  /// Returns a block. Throws what making it throws.
   Block at(std::size_t block) const {
     Begun begun = begin(block);
     if (begun.promise) {
@@ -42,7 +42,7 @@ class BlockCache {
  private:
   struct Begun {
     std::shared_future<Block> future;
-    std::optional<std::promise<Block>> promise = {};  ///< of who is to make it
+    std::optional<std::promise<Block>> promise = {};  ///< set if the caller is to make it
   };
 
   /// Finds a block, or begins it.
@@ -68,7 +68,7 @@ class BlockCache {
     }
   }
 
-  /// The first of the next blocks that nobody has begun.
+  /// Makes the first of the next blocks that nobody has begun.
   void make_ahead(std::size_t block) const {
     const std::size_t end = std::min(count_, block + 1 + kMostAhead);
     for (std::size_t next = block + 1; next < end; ++next) {

@@ -27,7 +27,7 @@ namespace {
 /// So many poses are read, and summed up, at a time.
 constexpr std::size_t kBlock = 1024;
 
-/// A sum of many poses, a block at a time: the SHA-256 of those of the blocks.
+/// Sums up many poses, a block at a time: the sum is the SHA-256 of those of the blocks.
 class PoseSum {
  public:
   void add(const Pose& pose) {
@@ -73,7 +73,7 @@ class PoseList : public PoseSource {
 
 class ArrayFile {
  public:
-  /// Nothing for what is no regular file that begins as an array does.
+  /// Opens an array; nothing unless the file is regular and begins as an array does.
   static std::shared_ptr<const ArrayFile> open(const std::filesystem::path& path) {
     const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
     if (descriptor < 0) return nullptr;
@@ -162,7 +162,7 @@ class ArrayPoses : public PoseSource {
   BlockCache<Pose> blocks_;
 };
 
-/// A file of text, in which it is kept where each block begins.
+/// Reads poses from a file of text, and keeps where each block begins in it.
 class TextPoses : public PoseSource {
  public:
   TextPoses(std::filesystem::path path, const Aabb& bounds_b)
@@ -225,7 +225,8 @@ class TextPoses : public PoseSource {
   BlockCache<Pose> blocks_;
 };
 
-/// What can be read from any place, and is no array, which an error of its own would tell.
+/// True for a file that can be read from any place, and is no array, which an error of its own
+/// would tell.
 bool is_text_file(const std::filesystem::path& path) {
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(path, ignored)) return false;

@@ -29,7 +29,7 @@ class Dice {
     return {x, y, z};
   }
 
-  /// Of length one.
+  /// Returns a direction of length one.
   Eigen::Vector3d direction() {
     for (;;) {
       const Eigen::Vector3d v = in_cube();
@@ -38,7 +38,7 @@ class Dice {
     }
   }
 
-  /// Two directions made orthogonal, and their cross product: each rotation is as likely as
+  /// Makes two directions orthogonal, and adds their cross product: each rotation is as likely as
   /// another.
   Pose rotation() {
     for (;;) {
@@ -61,7 +61,7 @@ class Dice {
   std::mt19937_64 random_;
 };
 
-/// A box by its middle and its half diagonal.
+/// Holds a box by its middle and its half diagonal.
 struct Extent {
   Eigen::Vector3d middle;
   Eigen::Vector3d half;
@@ -74,7 +74,7 @@ Extent extent_of(const Aabb& box) {
           std::sqrt((half.x() * half.x() + half.y() * half.y()) + half.z() * half.z())};
 }
 
-/// The pose that turns B and brings the middle of its bounds to a point in A's frame.
+/// Returns the pose that turns B and brings the middle of its bounds to a point in A's frame.
 Pose with_middle_at(const Pose& rotation, const Extent& b, const Eigen::Vector3d& point,
                     const Pose& pose_a) {
   Pose pose = rotation;
@@ -82,12 +82,12 @@ Pose with_middle_at(const Pose& rotation, const Extent& b, const Eigen::Vector3d
   return pose;
 }
 
-/// What poses are drawn for.
+/// Says what poses are drawn for.
 struct Room {
   Extent a;
   Pose pose_a;
   Extent b;
-  std::function<bool(const Pose&)> is_hit;  ///< with B in this pose
+  std::function<bool(const Pose&)> is_hit;  ///< true if they hit with B in this pose
 };
 
 Room room_of(const Mesh& a, const Pose& pose_a, const Mesh& b) {
@@ -96,14 +96,14 @@ Room room_of(const Mesh& a, const Pose& pose_a, const Mesh& b) {
           }};
 }
 
-/// Nothing of a half-space or a plane, which have no end.
+/// Returns nothing for a half-space or a plane, which have no end.
 std::optional<Extent> extent_of(const Shape& shape) {
   if (shape.as<HalfSpace>() != nullptr || shape.as<Plane>() != nullptr) return std::nullopt;
   return extent_of(bounding_aabb({shape, Pose::Identity()}));
 }
 
-/// Of what has no end that part around the point nearest to the origin of its frame that is as
-/// large as the other.
+/// Returns, for a shape without an end, the part around the point nearest to the origin of its
+/// frame that is as large as the other shape.
 Extent extent_beside(const Shape& shape, const std::optional<Extent>& other) {
   const auto* space = shape.as<HalfSpace>();
   const auto* plane = shape.as<Plane>();
@@ -135,8 +135,8 @@ std::vector<Pose> random_in(const Room& room, std::size_t count, std::uint64_t s
 }
 
 std::vector<Pose> grazing_in(const Room& room, std::size_t count, std::uint64_t seed) {
-  constexpr int kSteps = 64;        // from far away to where the middles meet
-  constexpr int kMaxMisses = 1000;  // lines through A that meet nothing
+  constexpr int kSteps = 64;        // steps from far away to where the middles meet
+  constexpr int kMaxMisses = 1000;  // the number of lines through A that meet nothing
   Dice dice(seed);
   std::vector<Pose> poses;
   for (int misses = 0; poses.size() < count;) {
@@ -149,7 +149,7 @@ std::vector<Pose> grazing_in(const Room& room, std::size_t count, std::uint64_t 
     const auto is_hit_at = [&](double share) { return room.is_hit(pose_at(share)); };
     double hit = -1;
     double apart = 1;
-    const bool begins_apart = !is_hit_at(apart);  // not in a half-space
+    const bool begins_apart = !is_hit_at(apart);  // false within a half-space
     for (int step = kSteps - 1; begins_apart && step >= 0 && hit < 0; --step) {
       const double share = static_cast<double>(step) / kSteps;
       (is_hit_at(share) ? hit : apart) = share;
@@ -181,7 +181,8 @@ std::vector<Pose> grazing_poses(const PlacedMeshView& mesh_a, const Mesh& mesh_b
 
 namespace {
 
-/// The finisher of Sebastiano Vigna's splitmix64: one bit of the input changes half of the others.
+/// Is the finisher of Sebastiano Vigna's splitmix64: one bit of the input changes half of the
+/// others.
 std::uint64_t mixed(std::uint64_t bits) {
   bits += 0x9e3779b97f4a7c15;
   bits = (bits ^ bits >> 30) * 0xbf58476d1ce4e5b9;

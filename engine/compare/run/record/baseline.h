@@ -12,28 +12,28 @@
 
 namespace graze::compare {
 
-/// What an engine said in one pose, step or case.
+/// Holds what an engine said in one pose, step or case.
 struct SaidThere {
   std::string engine;
-  std::string digest = {};           ///< equal for equal answers, bit for bit; empty: it gave none
+  std::string digest = {};  ///< equal for equal answers, bit for bit; empty if it gave none
   std::optional<double> value = {};  ///< the number that is the answer, if it is one
   double time = 0;                   ///< microseconds
-  /// Right also where nobody contradicted; none where a record does not say.
+  /// The verdict: Right also where nobody contradicted; none where a record does not say.
   std::optional<Verdict> verdict = {};
 };
 
-/// How what one engine said differs from what it said in an older run of the same job.
+/// Says how what one engine said differs from what it said in an older run of the same job.
 struct EngineChange {
   std::string engine;
-  std::size_t compared = 0;         ///< places of which both runs have an answer
-  std::size_t changed = 0;          ///< of these
-  std::size_t missing = 0;          ///< one of the two has none
-  std::vector<std::size_t> places;  ///< the first that changed
-  /// Of those that changed, by the verdicts before and now.
+  std::size_t compared = 0;         ///< the number of places for which both runs have an answer
+  std::size_t changed = 0;          ///< how many of these changed
+  std::size_t missing = 0;          ///< the number of places for which one of the two has none
+  std::vector<std::size_t> places;  ///< the first places that changed
+  /// The changed places by the verdicts before and now.
   std::size_t right_to_wrong = 0;
   std::size_t wrong_to_right = 0;
   std::size_t wrong_to_wrong = 0;
-  /// How many times as long it took: the median over what both have, so that neither the first
+  /// By what factor it took longer: the median over what both have, so that neither the first
   /// answer, which builds what others find, nor one slow moment decides.
   double time_ratio = 1;
 };
@@ -43,15 +43,15 @@ struct EngineChange {
 /// `tolerance`, metres or shares of a motion.
 class Baseline {
  public:
-  /// So many places are named of each engine.
+  /// At most so many places are named for each engine.
   static constexpr std::size_t kMostNamed = 20;
 
   explicit Baseline(double tolerance = 0) : tolerance_(tolerance) {}
 
-  /// What both say of one place; what a run does not have of it is empty.
+  /// Adds what both say of one place; what a run does not have is empty.
   void add(std::size_t place, std::span<const SaidThere> before, std::span<const SaidThere> now);
 
-  /// graze first, the others in the order in which they were first heard.
+  /// Returns the changes, graze first, the others in the order in which they were first heard.
   std::vector<EngineChange> changes() const;
 
  private:

@@ -17,7 +17,7 @@ using cases::JsonCursor;
 constexpr std::uint32_t kVersion = 2;
 constexpr std::int64_t kMostPlaces = std::int64_t{1} << 53;
 
-/// What records of each kind are of.
+/// Says what records of each kind are about.
 struct Kind {
   const char* name;
   const char* unit;
@@ -36,7 +36,7 @@ const char* subject_of(std::string_view kind) {
   return "something else";
 }
 
-/// A part with another value, in words; a hash says nothing to people.
+/// Returns a part with another value, in words; a hash says nothing to people.
 std::string difference_of(const JournalPart& here, const std::string& there) {
   constexpr std::size_t kHashLength = 64;
   if (here.value.size() == kHashLength) return "not the same " + here.name;

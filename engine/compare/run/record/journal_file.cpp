@@ -15,9 +15,9 @@
 namespace graze::compare {
 namespace {
 
-constexpr mode_t kForAll = 0666;  // less what the user's mask takes away
+constexpr mode_t kForAll = 0666;  // the user's mask takes away from this
 
-/// What a file error is to whoever keeps a record.
+/// Turns a file error into what it is to the one who keeps a record.
 template <typename Write>
 void written(const Write& write) {
   try {
@@ -38,7 +38,8 @@ JournalFile::JournalFile(const std::filesystem::path& path) : path_(path) {
   }
   descriptor_ = open(target.path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOCTTY, kForAll);
   if (descriptor_ < 0) fail(errno);
-  // A file system without locks has none: only runs that are started twice by mistake are missed.
+  // A file system without locks has none, and then runs that are started twice by mistake are not
+  // noticed.
   if (flock(descriptor_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
   close(descriptor_);
   throw CaseError(mesh_io::printable(path_.string()) + ": another run is writing it");
@@ -53,7 +54,8 @@ void JournalFile::fail(int error) const {
   throw CaseError(mesh_io::printable(path_.string()) + ": cannot be written");
 }
 
-/// What a run had of its head when it was stopped is nothing yet.
+/// True if there is a whole head: the part of it that a run had written when it was stopped does
+/// not count.
 bool JournalFile::has_record(const JournalHead& head) const {
   if (through_) return false;
   const std::string first = sealed(to_json(head)) + "\n";

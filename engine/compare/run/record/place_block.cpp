@@ -14,7 +14,7 @@ namespace {
 
 using cases::JsonCursor;
 
-/// What the first byte of a place says.
+/// Says what the first byte of a place says.
 enum class Tag : unsigned char {
   Else,   ///< nothing here: it stands in "else"
   No,     ///< all say no
@@ -47,7 +47,7 @@ std::optional<std::uint32_t> pairs_of(const std::string& brief) {
   return pairs_brief(count) == brief ? std::optional(count) : std::nullopt;
 }
 
-/// Whole numbers as bytes, the lowest first.
+/// Writes whole numbers as bytes, the lowest first.
 template <typename Number>
 void put(std::string& bytes, Number number) {
   for (std::size_t i = 0; i < sizeof(Number); ++i)
@@ -74,7 +74,7 @@ class Bytes {
   std::size_t at_ = 0;
 };
 
-/// The indices of the engines that answer, if all agree.
+/// Returns the indices of the engines that answer, if all agree.
 std::optional<std::vector<std::size_t>> owners_of(const PlaceRecord& record,
                                                   std::span<const JournalEngine> engines) {
   std::vector<std::size_t> owners;
@@ -202,7 +202,7 @@ class BlockReader {
 std::string to_json(std::span<const PlaceRecord> block, std::span<const JournalEngine> engines) {
   std::string bytes;
   std::string others;
-  std::optional<std::vector<std::size_t>> by;  // of all that agree in this block
+  std::optional<std::vector<std::size_t>> by;  // the owners of all places that agree in this block
   for (const PlaceRecord& record : block) {
     Tag tag = tag_of(record);
     std::optional<std::vector<std::size_t>> owners = owners_of(record, engines);

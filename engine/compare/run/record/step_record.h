@@ -9,22 +9,23 @@
 
 namespace graze::compare {
 
-/// What one engine did at one step. "world" is a graze::World that steps the scene, with all that
-/// it remembers and skips; "graze" is asked about each pair alone, as the others are.
+/// Holds what one engine did at one step. "world" is a graze::World that steps the scene, with all
+/// that it remembers and skips; "graze" is asked about each pair alone, as the others are.
 struct StepAnswers {
   std::string engine;
   std::size_t answers = 0;
-  std::string digest;  ///< SHA-256 of all that it said: equal for equal answers
-  double time = 0;     ///< microseconds, all pairs together
+  std::string digest;  ///< the SHA-256 of all that it said: equal for equal answers
+  double time = 0;     ///< microseconds for all pairs together
 };
 
-/// A pair of bodies of which not all engines said the same, or of which the world should not speak.
+/// Holds a pair of bodies of which not all engines said the same, or of which the world should not
+/// speak.
 struct SceneDifference {
   ScenePair pair;
   std::vector<AnswerRecord> answers;  ///< that of "world" first
 };
 
-/// All engines about all pairs at one step.
+/// Holds what all engines said about all pairs at one step.
 struct StepRecord {
   std::size_t place = 0;  ///< the step
   double time = 0;        ///< seconds
@@ -33,14 +34,14 @@ struct StepRecord {
   std::vector<SceneDifference> differences;
 };
 
-/// One line of JSON, without its line break.
+/// Returns one line of JSON, without its line break.
 std::string to_json(const StepRecord& record);
 
-/// The same from JSON, of a scene with so many bodies. Throws CaseError.
+/// Reads the same from JSON, for a scene with so many bodies. Throws CaseError.
 StepRecord read_step_record(const cases::JsonCursor& at, const ExpectedPlace& expected,
                             std::size_t bodies);
 
-/// What each said, and "world" and "graze" together, under the name of graze.
+/// Returns what each said, and "world" and "graze" together, under the name of graze.
 std::vector<SaidThere> said_there(const StepRecord& record);
 
 }  // namespace graze::compare

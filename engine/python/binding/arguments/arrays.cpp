@@ -27,7 +27,7 @@ std::string shape_text(const py::array& array) {
 
 py::object new_doubles(int dimensions, const py::ssize_t* shape) {
   auto& api = py::detail::npy_api::get();
-  Py_INCREF(double_descriptor());  // the call takes one over
+  Py_INCREF(double_descriptor());  // the call takes over one reference
   PyObject* made =
       api.PyArray_NewFromDescr_(api.PyArray_Type_, double_descriptor(), dimensions,
                                 const_cast<py::ssize_t*>(shape), nullptr, nullptr, 0, nullptr);
@@ -101,7 +101,8 @@ MatrixView<double> Points::matrix() const {
     return Eigen::Map<const Eigen::MatrixXd, 0, Strides>(reinterpret_cast<const double*>(data_),
                                                          rows, 3, strides);
   }
-  Rows copy(rows, 3);  // of another storage order: what is returned keeps a copy of its own
+  Rows copy(rows, 3);  // it may be of another storage order, and what is returned keeps a copy of
+                       // its own
   for (Eigen::Index i = 0; i < rows; ++i)
     copy.row(i) = (*this)[static_cast<std::size_t>(i)].transpose();
   return copy;

@@ -1,6 +1,6 @@
 #pragma once
 
-// Arrays of numpy as arguments and as results.
+// Takes arrays of numpy as arguments and makes them as results.
 
 #include <graze/engine/mesh/mesh.h>
 #include <pybind11/numpy.h>
@@ -16,28 +16,29 @@ namespace graze::python {
 
 namespace py = pybind11;
 
-/// The argument as an array of native, aligned float64 of any strides: itself where it is one, else
-/// a copy that has lost nothing. Throws InputError, which names the argument.
+/// Returns the argument as an array of native, aligned float64 of any strides: itself where it is
+/// one, else a copy that has lost nothing. Throws InputError, which names the argument.
 py::array doubles(py::handle argument, const char* name);
 
-/// Three numbers. Throws InputError.
+/// Returns three numbers. Throws InputError for anything else.
 Eigen::Vector3d vector_from(py::handle argument, const char* name);
 
-/// A number. Throws InputError for what is none.
+/// Returns a number. Throws InputError for anything else.
 double number_from(py::handle argument, const char* name);
 
-/// A number that is not negative. Throws InputError for what is none.
+/// Returns a number that is not negative. Throws InputError for anything else.
 std::size_t count_from(py::handle argument, const char* name);
 
-/// Rows of three numbers, read in place.
+/// Holds rows of three numbers, read in place.
 class Points {
  public:
-  /// One point of shape (3,) or n of shape (n, 3). Throws InputError.
+  /// Takes one point of shape (3,) or n of shape (n, 3). Throws InputError for anything else.
   Points(py::handle argument, const char* name);
 
   bool is_many() const { return is_many_; }
   std::size_t size() const { return size_; }
-  /// The rows as the library takes them: in place, but for what is broadcast or goes backwards.
+  /// Returns the rows as the library takes them: in place, but for arrays that are broadcast or go
+  /// backwards.
   MatrixView<double> matrix() const;
   Eigen::Vector3d operator[](std::size_t row) const {
     const char* at = data_ + static_cast<py::ssize_t>(row) * row_stride_;
@@ -55,18 +56,18 @@ class Points {
   py::ssize_t stride_;
 };
 
-/// A new array of one point.
+/// Makes a new array of one point.
 py::object array_of(const Eigen::Vector3d& point);
-/// A new array of the shape (4, 4).
+/// Makes a new array of the shape (4, 4).
 py::object array_of_matrix(const double* column_major);
 
-/// A new array whose memory is not set.
+/// Makes a new array whose memory is not set.
 template <typename T>
 py::array_t<T> new_array(std::vector<py::ssize_t> shape) {
   return py::array_t<T>(std::move(shape));
 }
 
-/// An array that takes over what a vector holds, without a copy. Elements that are made of
+/// Makes an array that takes over what a vector holds, without a copy. Elements that are made of
 /// `columns` numbers become rows.
 template <typename T, typename Element>
 py::array_t<T> array_over(std::vector<Element>&& elements, std::size_t columns = 1) {

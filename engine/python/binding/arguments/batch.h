@@ -1,6 +1,6 @@
 #pragma once
 
-// Many answers in one call, on many threads, which Python can watch and end.
+// Asks many questions in one call, on many threads, which Python can watch and end.
 
 #include <graze/engine/python/binding/arguments/arrays.h>
 
@@ -13,22 +13,22 @@
 
 namespace graze::python {
 
-/// What work of long duration calls now and then: looks for signals, and tells of progress. Throws
-/// TypeError for what can be told of none.
+/// Returns the function that long work calls now and then: it looks for signals, and tells of
+/// progress. Throws TypeError for an object that cannot be told of it.
 std::function<void(std::size_t done, std::size_t total)> watcher(py::handle progress);
 
-/// How a batch is asked.
+/// Says how a batch is asked.
 struct Batch {
   Batch(py::handle threads_argument, py::handle progress_argument);
 
-  /// As the library takes it: it looks for signals while it runs.
+  /// Returns the settings as the library takes them: it looks for signals while it runs.
   BatchSettings settings() const { return {.threads = threads, .on_progress = watcher(progress)}; }
 
-  int threads;          ///< 0: all that there are
-  py::handle progress;  ///< called with (done, total), or has a method update(more); None: neither
+  int threads;          ///< the number of threads; 0 for all that there are
+  py::handle progress;  ///< is called with (done, total), or has a method update(more), or is None
 };
 
-/// Counters that a caller may have asked for, or nothing.
+/// Returns counters that a caller may have asked for, or null.
 Work* work_from(py::handle argument);
 
 /// Calls `ask`; if it throws an error of graze, `blame` first, to throw what names the argument as
@@ -43,13 +43,13 @@ void ask_and_blame(const Ask& ask, const std::function<void()>& blame) {
   }
 }
 
-/// Calls `ask(settings, work)` without the lock of Python, as the library's batches are asked. What
-/// it throws is thrown here; if that is of graze, `blame` is called first, to throw what names the
+/// Calls `ask(settings, work)` without the lock of Python, as the library's batches are asked.
+/// Passes on what it throws; before an error of graze it calls `blame`, to throw what names the
 /// first element that is at fault.
 template <typename Ask>
 void run_batch(const Batch& batch, Work* total, const Ask& ask,
                const std::function<void()>& blame = {}) {
-  Work sum;  // Python may look at the other one meanwhile
+  Work sum;  // Python may look at the other counters meanwhile
   const BatchSettings settings = batch.settings();
   {
     const py::gil_scoped_release released;
@@ -58,10 +58,11 @@ void run_batch(const Batch& batch, Work* total, const Ask& ask,
   if (total != nullptr) *total += sum;
 }
 
-/// Elements of a part: as many as the library's own batches of poses take.
+/// The number of elements of a part: as many as the library's own batches of poses take.
 inline constexpr std::size_t kMostInAPart = 64;
 
-/// Calls `ask(i, work)` for each element, as the library's own batches do for what it has none for.
+/// Calls `ask(i, work)` for each element, as the library's own batches do, where the library has no
+/// batch.
 template <typename Ask>
 void run_batch(std::size_t count, const Batch& batch, Work* total, const Ask& ask,
                const std::function<void()>& blame = {}, std::size_t most_in_a_part = kMostInAPart) {

@@ -10,7 +10,7 @@
 namespace graze::python {
 namespace {
 
-/// Their types are looked up once: pybind11 would do it for each argument of each call.
+/// Casts an object. Types are looked up once: pybind11 would do it for each argument of each call.
 template <typename T>
 T* as(py::handle object) {
   static PyTypeObject* const type =
@@ -130,7 +130,7 @@ PlacedPair::PlacedPair(py::handle argument_a, py::handle argument_b)
                      std::to_string(a.poses().size()));
   }
   if (!are_meshes()) {
-    // Made once, before threads ask for it.
+    // They are made once, before threads ask for them.
     static_cast<void>(a.shape());
     static_cast<void>(b.shape());
   }

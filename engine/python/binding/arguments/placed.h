@@ -1,6 +1,6 @@
 #pragma once
 
-// What queries are asked about: meshes and shapes, in one pose or in many.
+// Takes what queries are asked about: meshes and shapes, in one pose or in many.
 
 #include <graze/engine/python/binding/arguments/arrays.h>
 
@@ -13,17 +13,17 @@
 
 namespace graze::python {
 
-/// Matrices of the shape (4, 4), (3, 4), (n, 4, 4) or (n, 3, 4), read in place; none is the
+/// Holds matrices of the shape (4, 4), (3, 4), (n, 4, 4) or (n, 3, 4), read in place; None is the
 /// identity.
 class Poses {
  public:
   Poses() = default;
-  /// Throws PoseError for another shape, InputError for what are no numbers.
+  /// Throws PoseError for another shape, InputError for anything but numbers.
   Poses(py::handle argument, const char* name);
 
   bool is_many() const { return is_many_; }
   std::size_t size() const { return size_; }
-  /// Unchecked: that is for the query to do.
+  /// Returns a pose unchecked, as the query checks it.
   Pose operator[](std::size_t index) const { return is_many_ ? read(index) : single_; }
 
  private:
@@ -37,26 +37,26 @@ class Poses {
   py::ssize_t stride_ = 0;
   py::ssize_t row_stride_ = 0;
   py::ssize_t column_stride_ = 0;
-  Pose single_ = Pose::Identity();  ///< of all that are not many
+  Pose single_ = Pose::Identity();  ///< the pose, unless there are many
 };
 
-/// One pose. Throws PoseError, also for one that is not rigid.
+/// Returns one pose. Throws PoseError, also for one that is not rigid.
 Pose pose_from(py::handle argument, const char* name);
-/// The array of a pose.
+/// Returns the array of a pose.
 inline py::object array_of(const Pose& pose) {
   return array_of_matrix(pose.matrix().data());
 }
 
-/// A mesh or a shape, where it is, or with its poses.
+/// Holds a mesh or a shape, where it is, or with its poses.
 class Placed {
  public:
-  /// `name` is that of the argument. Throws TypeError for what is neither, nor a pair of one of
-  /// them and a pose.
+  /// Takes the argument `name`. Throws TypeError for what is neither of the two, nor a pair of one
+  /// of them and a pose.
   Placed(py::handle argument, const char* name);
 
   bool is_mesh() const { return mesh_ != nullptr; }
   const Mesh& mesh() const { return *mesh_; }
-  /// Of a mesh, too.
+  /// Returns the shape, for a mesh, too.
   const Shape& shape() const;
   const Poses& poses() const { return poses_; }
   const char* name() const { return name_; }
@@ -80,10 +80,10 @@ class Placed {
   Poses poses_;
 };
 
-/// The same for queries of meshes alone. Throws TypeError for a shape.
+/// Takes an argument of queries of meshes alone. Throws TypeError for a shape.
 Placed placed_mesh(py::handle argument, const char* name);
 
-/// Two of them, in as many poses: where both have many, they have equally many.
+/// Holds two of them, in as many poses: where both have many, they have equally many.
 class PlacedPair {
  public:
   /// Throws InputError for different numbers of poses.
@@ -92,7 +92,7 @@ class PlacedPair {
   bool are_meshes() const { return a.is_mesh() && b.is_mesh(); }
   bool is_many() const { return a.poses().is_many() || b.poses().is_many(); }
   std::size_t size() const { return a.poses().is_many() ? a.poses().size() : b.poses().size(); }
-  /// See Placed.
+  /// Throws as Placed does.
   void check_poses() const;
   /// Throws TypeError unless both are meshes, in words about `query`.
   void require_meshes(const char* query) const;

@@ -6,10 +6,10 @@
 
 namespace graze::python {
 
-/// Origins, directions and lengths, of which each may stand for all rays.
+/// Holds origins, directions and lengths, each of which may stand for all rays.
 class Rays {
  public:
-  /// Throws InputError for other shapes, and for different numbers of them.
+  /// Throws InputError for arrays of other shapes, and for different numbers of them.
   Rays(py::handle origins, py::handle directions, py::handle max_distance);
 
   bool is_many() const { return is_many_; }
@@ -20,7 +20,7 @@ class Rays {
         *reinterpret_cast<const double*>(length_ + static_cast<py::ssize_t>(i) * length_stride_)};
   }
 
-  /// Throws for the first ray that is none.
+  /// Throws for the first invalid ray.
   void blame() const;
 
  private:

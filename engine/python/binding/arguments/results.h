@@ -8,12 +8,12 @@
 
 namespace graze::python {
 
-/// A class of graze._results. Made once for each place that makes results.
+/// Names a class of graze._results. One is made for each place that makes results.
 class ResultType {
  public:
   explicit ResultType(const char* name) : name_(name) {}
 
-  /// An instance with these members, in their order.
+  /// Makes an instance with these members, in their order.
   template <typename... Members>
   py::object operator()(Members&&... members) const {
     return make(py::make_tuple(std::forward<Members>(members)...));
@@ -22,7 +22,7 @@ class ResultType {
 
  private:
   const char* name_;
-  mutable PyTypeObject* type_ = nullptr;  ///< never let go of: its module stays
+  mutable PyTypeObject* type_ = nullptr;  ///< never released: its module stays
 };
 
 }  // namespace graze::python

@@ -1,6 +1,6 @@
 #pragma once
 
-// Settings as Python says them: words for enumerations, None for what is not set.
+// Takes settings as Python says them: words for enumerations, None for what is not set.
 
 #include <graze/engine/python/binding/arguments/arrays.h>
 
@@ -16,7 +16,7 @@
 
 namespace graze::python {
 
-/// The value that goes by the word. Throws InputError, which lists the words.
+/// Returns the value that goes by the word. Throws InputError, which lists the words.
 template <typename T>
 T word_from(py::handle argument, const char* name,
             std::initializer_list<std::pair<const char*, T>> words) {
@@ -35,11 +35,13 @@ T word_from(py::handle argument, const char* name,
 Hit hit_from(py::handle argument);
 Touch touch_from(py::handle argument);
 StartContact start_from(py::handle argument);
-/// None and "surface" are the surface alone; "solid"; ("one_sided", thickness). Throws InputError.
+/// Takes None or "surface" for the surface alone, "solid", or ("one_sided", thickness). Throws
+/// InputError for anything else.
 MeshSides sides_from(py::handle argument, const char* name);
-/// The bytes of a file's name, whatever they are: a str, bytes or a path. Throws TypeError.
+/// Returns the bytes of a file's name, whatever they are: a str, bytes or a path. Throws TypeError
+/// for anything else.
 std::string path_from(py::handle argument);
-/// None is no limit.
+/// Returns a limit; None is no limit.
 std::size_t limit_from(py::handle argument);
 
 }  // namespace graze::python

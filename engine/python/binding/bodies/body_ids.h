@@ -21,7 +21,7 @@ Id id_of(std::uint64_t number) {
   return {static_cast<std::uint32_t>(number), static_cast<std::uint32_t>(number >> 32)};
 }
 
-/// One id, or an array of the shape (n,).
+/// Holds one id, or an array of the shape (n,).
 template <typename Id>
 struct Ids {
   explicit Ids(py::handle argument, const char* name = "ids") {
@@ -47,7 +47,7 @@ py::array_t<std::uint64_t> array_of_ids(const std::vector<Id>& ids) {
   return array;
 }
 
-/// Of the shape (n, 2).
+/// Makes an array of the shape (n, 2).
 inline py::array_t<std::uint64_t> array_of_pairs(std::span<const BodyPair> pairs) {
   auto array = new_array<std::uint64_t>({static_cast<py::ssize_t>(pairs.size()), 2});
   std::uint64_t* at = array.mutable_data();

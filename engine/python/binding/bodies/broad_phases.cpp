@@ -11,7 +11,7 @@
 namespace graze::python {
 namespace {
 
-/// Boxes that threads of Python may share: one waits for the other.
+/// Holds boxes that threads of Python may share: one waits for the other.
 struct SharedBoxes {
   explicit SharedBoxes(int threads) : boxes(BroadPhaseSettings{.threads = threads}) {}
 
@@ -26,7 +26,7 @@ struct SharedBoxes {
   std::mutex mutex;
 };
 
-/// One box of the shape (2, 3), or n of (n, 2, 3).
+/// Holds one box of the shape (2, 3), or n of (n, 2, 3).
 struct Boxes {
   explicit Boxes(py::handle argument) {
     const py::array array = doubles(argument, "boxes");
@@ -79,13 +79,13 @@ void remove_boxes(SharedBoxes& shared, py::handle argument) {
   const Ids<BoxId> ids(argument);
   shared.ask([&](BroadPhase& phase) {
     for (const BoxId id : ids.all)
-      static_cast<void>(phase.box(id));  // all or none
+      static_cast<void>(phase.box(id));  // so that all are removed or none
     for (const BoxId id : ids.all)
       phase.remove(id);
   });
 }
 
-/// Indices of pairs, of the shape (k, 2).
+/// Returns indices of pairs, of the shape (k, 2).
 py::object pairs_of(SharedBoxes& shared,
                     const std::function<std::span<const BoxPair>(BroadPhase&)>& which) {
   std::vector<BoxPair> pairs = shared.ask([&](BroadPhase& phase) {

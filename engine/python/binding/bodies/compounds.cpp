@@ -11,7 +11,7 @@
 namespace graze::python {
 namespace {
 
-/// The filter of each part, None for that of its body.
+/// Sets the filter of each part; None stands for that of its body.
 void set_filters(Compound& parts, py::handle filters) {
   if (filters.is_none()) return;
   if (!PySequence_Check(filters.ptr()) || py::len(filters) != parts.size())

@@ -9,27 +9,28 @@
 
 namespace graze::python {
 
-/// Several shapes that are one body, as a world takes them.
+/// Holds several shapes that are one body, as a world takes them.
 struct SharedCompound {
   Compound parts;
   std::shared_ptr<const BodyShape> shape;
 };
 
-/// What a body of a world has: a mesh or a shape, a Compound or a VoxelMap of Python.
+/// Returns what a body of a world has: a mesh or a shape, a Compound or a VoxelMap of Python.
 py::object object_of(const BodyShape& shape);
 
-/// The shape that an object of Python stands for. Throws TypeError.
+/// Returns the shape that an object of Python stands for. Throws TypeError for any other object.
 std::shared_ptr<const BodyShape> body_shape_from(py::handle argument);
 
-/// A body of a world that is to be: a mesh, a shape, a compound or a map of voxels, and its poses.
+/// Holds a body that a world is to have: a mesh, a shape, a compound or a map of voxels, and its
+/// poses.
 class PlacedBody {
  public:
-  /// Throws TypeError for what is none of them.
+  /// Throws TypeError for anything else.
   explicit PlacedBody(py::handle argument);
 
   std::shared_ptr<const BodyShape> shape() const;
   const Poses& poses() const { return placed_ ? placed_->poses() : poses_; }
-  /// See Placed.
+  /// Throws as Placed does.
   void check_poses() const;
 
  private:

@@ -19,12 +19,12 @@
 
 namespace graze::python {
 
-/// A world that threads of Python may share: one waits for the other. A filter of a user's own may
-/// ask the world within an update.
+/// Holds a world that threads of Python may share: one waits for the other. A filter of a user's
+/// own may ask the world within an update.
 struct SharedWorld {
   explicit SharedWorld(const WorldSettings& settings) : world(settings) {}
 
-  /// What `ask(world)` returns, with the world's lock and without Python's.
+  /// Returns what `ask(world)` returns, with the world's lock and without Python's.
   template <typename Ask>
   auto ask(const Ask& question) {
     const py::gil_scoped_release released;
@@ -33,20 +33,20 @@ struct SharedWorld {
     return question(world);
   }
 
-  /// Throws InputError where a batch is asking the world: it is one thread that holds the lock, and
-  /// calls back to tell of progress, while others read.
+  /// Throws InputError while a batch is asking the world: then one thread holds the lock, and calls
+  /// back to tell of progress, while others read.
   void check_free() const {
     if (is_in_batch) throw InputError("progress: cannot use the world that is being asked");
   }
 
   World world;
-  std::optional<ContactTracker> tracker;  ///< if it tracks contacts
+  std::optional<ContactTracker> tracker;  ///< set if it tracks contacts
   std::recursive_mutex mutex;
   bool is_in_batch = false;  ///< read and written with the lock
 };
 
 /// Calls `ask(world, settings)` for a batch that has the world's lock: its threads read it, and
-/// nobody changes it meanwhile. `blame` as of run_batch().
+/// nobody changes it meanwhile. `blame` is that of run_batch().
 template <typename Ask>
 void ask_world_in_batch(SharedWorld& shared, const Batch& batch, const Ask& ask,
                         const std::function<void()>& blame = {}) {
@@ -68,8 +68,8 @@ void ask_world_in_batch(SharedWorld& shared, const Batch& batch, const Ask& ask,
       blame);
 }
 
-/// Calls `ask(world, i)` for `count` questions likewise, where what they ask is read in place and
-/// what they answer is written to it.
+/// Calls `ask(world, i)` for `count` questions in the same way, where what they ask is read in
+/// place and what they answer is written to it.
 template <typename Ask>
 void ask_world_for_all(SharedWorld& shared, std::size_t count, const Batch& batch, const Ask& ask,
                        const std::function<void()>& blame) {
@@ -82,7 +82,7 @@ void ask_world_for_all(SharedWorld& shared, std::size_t count, const Batch& batc
       blame);
 }
 
-/// Where the list of each begins, and the end of the last, as an array; and all in one.
+/// Returns all lists in one, and as an array where each begins, and the end of the last.
 template <typename T>
 std::pair<std::vector<T>, py::object> joined(const std::vector<std::vector<T>>& lists) {
   std::vector<std::int64_t> offsets{0};
@@ -96,7 +96,7 @@ std::pair<std::vector<T>, py::object> joined(const std::vector<std::vector<T>>& 
   return {std::move(all), array_over<std::int64_t>(std::move(offsets))};
 }
 
-/// Calls `ask(world, id)` for each, all or none: unknown ids are refused first.
+/// Calls `ask(world, id)` for each, for all or none: unknown ids are refused first.
 template <typename Ask>
 void for_each_id(SharedWorld& shared, py::handle argument, const Ask& ask) {
   const Ids<BodyId> ids(argument);
@@ -108,7 +108,7 @@ void for_each_id(SharedWorld& shared, py::handle argument, const Ask& ask) {
   });
 }
 
-/// What `ask(world, other)` returns, with the locks of both and without Python's.
+/// Returns what `ask(world, other)` returns, with the locks of both and without Python's.
 template <typename Ask>
 auto ask_both(SharedWorld& shared, SharedWorld& other, const Ask& question) {
   const py::gil_scoped_release released;
@@ -118,11 +118,11 @@ auto ask_both(SharedWorld& shared, SharedWorld& other, const Ask& question) {
   return question(shared.world, other.world);
 }
 
-/// A function of Python that says which pairs may meet, and which threads without Python's lock may
-/// let go of.
+/// Holds a function of Python that says which pairs may meet. Threads without Python's lock may
+/// release it.
 class PythonFilter {
  public:
-  /// Throws TypeError for what cannot be called.
+  /// Throws TypeError for an object that cannot be called.
   explicit PythonFilter(py::handle argument);
   bool operator()(BodyId a, BodyId b) const;
   py::object function() const { return *function_; }
@@ -131,29 +131,29 @@ class PythonFilter {
   std::shared_ptr<py::object> function_;
 };
 
-/// Another world in a pose, as an argument where a shape may stand.
+/// Holds another world in a pose, as an argument where a shape may stand.
 struct PlacedWorld {
   SharedWorld* shared;
   Pose pose;
 };
 std::optional<PlacedWorld> world_from(py::handle argument);
 
-// What worlds are asked about each other.
+// These functions ask worlds about each other.
 py::object pairs_touching(SharedWorld& shared, const PlacedWorld& other,
                           const WorldPairSettings& settings);
 py::object pairs_within(SharedWorld& shared, const PlacedWorld& other, double clearance,
                         const WorldPairSettings& settings);
 py::object closest_pair(SharedWorld& shared, const PlacedWorld& other,
                         const WorldPairSettings& settings);
-/// Throws InputError for a filter: those of the worlds count.
+/// Throws InputError for a filter, as those of the worlds count.
 WorldPairSettings pair_settings(py::handle filter, py::handle role);
 
-/// Contacts of pairs as WorldContacts, with their numbers if they are tracked.
+/// Returns contacts of pairs as WorldContacts, with their numbers if they are tracked.
 py::object result_of(const std::vector<BodyContact>& contacts, std::vector<std::uint64_t> ids = {});
 BodyQuerySettings query_settings(py::handle filter, py::handle role);
-/// (category, mask, group).
+/// Returns the filter of (category, mask, group).
 Filter filter_from(py::handle argument);
-/// And back.
+/// Returns (category, mask, group) of a filter.
 py::tuple tuple_of(const Filter& filter);
 Role role_from(py::handle argument);
 BodyKind kind_from(py::handle argument);

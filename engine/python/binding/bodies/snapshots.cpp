@@ -1,4 +1,4 @@
-// Snapshots of worlds, and how they are pickled: all that they hold, shapes once each.
+// Pickles snapshots of worlds: all that they hold, shapes once each.
 
 #include <graze/engine/python/binding/bodies/compounds.h>
 #include <graze/engine/python/binding/bodies/shared_world.h>
@@ -67,8 +67,8 @@ void fill_ids(IdTable<std::uint32_t>& ids, const py::tuple& from) {
   });
 }
 
-/// Flags of a body that is there, as small numbers: kind, role, detection, sides, whether it is
-/// awake; and of its record whether it changed, and its filter, and its shape.
+/// Returns the flags of a body that is there as small numbers: kind, role, detection, sides,
+/// whether it is awake, and from its record whether it, its filter and its shape have changed.
 py::tuple tuple_of_body(const Bodies::Body& body, const Bodies::Changes& record,
                         std::size_t shape) {
   return py::make_tuple(

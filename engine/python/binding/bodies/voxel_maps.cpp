@@ -11,7 +11,7 @@
 namespace graze::python {
 namespace {
 
-/// Rows (i, j, k), or one.
+/// Holds rows (i, j, k), or one.
 struct Indices {
   explicit Indices(py::handle argument, const char* name) {
     const auto array = py::module_::import("graze._arrays")

@@ -8,7 +8,7 @@
 
 namespace graze::python {
 
-/// A map that threads of Python may share: one waits for the other.
+/// Holds a map that threads of Python may share: one waits for the other.
 struct SharedMap {
   explicit SharedMap(VoxelMap&& full) : map(std::move(full)) {}
 

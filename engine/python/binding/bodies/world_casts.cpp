@@ -17,7 +17,7 @@
 namespace graze::python {
 namespace {
 
-/// The arrays of BodyRayHits, which threads without Python's lock fill.
+/// Holds the arrays of BodyRayHits, which threads without Python's lock fill.
 class BodyHitColumns {
  public:
   explicit BodyHitColumns(std::size_t count)
@@ -113,7 +113,7 @@ py::object body_cast_ray_all(SharedWorld& shared, py::handle origins, py::handle
   return kLists(body_hits(hits), offsets);
 }
 
-/// What casts in a world are asked.
+/// Says what casts in a world are asked.
 struct CastQuestion {
   CastQuestion(py::handle shape, py::handle motion_argument, py::handle clearance,
                py::handle tolerance, py::handle budget, py::handle filter, py::handle role)
@@ -152,7 +152,7 @@ py::object cast_results(const std::vector<BodyCast>& found) {
                numbers_of<std::uint32_t>(found, [](const BodyCast& cast) { return cast.part; }));
 }
 
-/// Where no body is met, the motion is free.
+/// Returns the answer where no body is met: the motion is free.
 BodyCast no_body_met() {
   return {BodyId{}, {RigidStatus::Free, 1, 1, false}};
 }
@@ -162,7 +162,7 @@ py::object body_cast(SharedWorld& shared, py::handle shape, py::handle motion, p
                      py::handle threads, py::handle progress) {
   const CastQuestion asked(shape, motion, clearance, tolerance, budget, filter, role);
   const Batch batch(threads, progress);
-  const ShapeInMotions moved = asked.in_motions();  // what it is made of a mesh for is made once
+  const ShapeInMotions moved = asked.in_motions();  // what a mesh needs for it is made once
   if (!asked.motions.is_many()) {
     const auto found = shared.ask([&](World& world) {
       return world.cast(moved.shape, moved.motions[0], asked.contact, asked.settings);

@@ -1,4 +1,4 @@
-// Worlds that stand in each other, such as a robot's in its cell's.
+// Asks about worlds that stand in each other, such as a robot's in its cell's.
 
 #include <graze/engine/python/binding/arguments/placed.h>
 #include <graze/engine/python/binding/arguments/results.h>

@@ -12,11 +12,11 @@
 namespace graze::python {
 namespace {
 
-/// What `ask(world, placed)` answers for the shape in each of its poses.
+/// Returns what `ask(world, placed)` answers for the shape in each of its poses.
 template <typename Answer, typename Ask>
 std::vector<Answer> ask_in_poses(SharedWorld& shared, const Placed& placed, py::handle threads,
                                  py::handle progress, const Ask& ask) {
-  static_cast<void>(placed.shape());  // of a mesh it is made once, before threads ask
+  static_cast<void>(placed.shape());  // the shape of a mesh is made once, before threads ask
   std::vector<Answer> answers(placed.poses().size());
   ask_world_for_all(
       shared, answers.size(), Batch(threads, progress),
@@ -46,7 +46,7 @@ py::object distances_of(const std::vector<BodyDistance>& found) {
       numbers_of<bool>(found, [](const auto& near) { return is_converged(near.distance); }));
 }
 
-/// Where no body is, its distance is infinite.
+/// Returns the answer where no body is: an infinite distance.
 BodyDistance no_body() {
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   const Eigen::Vector3d nowhere(kNone, kNone, kNone);

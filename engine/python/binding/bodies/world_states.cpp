@@ -1,4 +1,4 @@
-// What a world knows of its bodies and their pairs.
+// Binds what a world knows of its bodies and their pairs.
 
 #include <graze/engine/python/binding/bodies/shared_world.h>
 #include <graze/engine/python/binding/module.h>
@@ -27,7 +27,7 @@ BodyId single_id(py::handle argument) {
   return ids.all[0];
 }
 
-/// A member of a body by its name: `object(get(world, id))`.
+/// Adds a member of a body by its name: `object(get(world, id))`.
 template <typename Get, typename Object>
 void add_member(WorldType& type, const char* name, const char* text, const Get& get,
                 const Object& object) {
@@ -92,7 +92,7 @@ void add_members(WorldType& type) {
       [](const std::vector<BodyId>& ids) { return array_of_ids(ids); });
 }
 
-/// A list of all bodies, or of one.
+/// Adds a list of all bodies, or of one.
 template <typename Of, typename All, typename Object>
 void add_list(WorldType& type, const char* name, const char* text, const All& all, const Of& of,
               const Object& object) {

@@ -88,13 +88,13 @@ py::object poses_of(SharedWorld& shared, py::handle argument) {
   return array;
 }
 
-/// What an update says, kept from the next one.
+/// Keeps what an update says from the next one.
 struct KeptUpdate {
   std::vector<BodyPair> begun, ended, moved, begun_near, ended_near;
   std::vector<BodyContact> contacts;
   std::vector<BodyFirstContact> first_contacts;
   WorldWork work;
-  std::vector<std::uint64_t> contact_ids;  ///< if contacts are tracked
+  std::vector<std::uint64_t> contact_ids;  ///< set if contacts are tracked
 };
 
 template <typename T>
@@ -184,7 +184,7 @@ py::list islands_of(SharedWorld& shared) {
 py::object shape_of(SharedWorld& shared, py::handle argument) {
   const Ids<BodyId> ids(argument);
   if (ids.is_many) throw InputError("id: is one body");
-  // What a body has may be taken from it as soon as the lock is let go of.
+  // What a body has may be taken from it as soon as the lock is released.
   std::unique_lock<std::recursive_mutex> lock(shared.mutex, std::defer_lock);
   {
     const py::gil_scoped_release released;

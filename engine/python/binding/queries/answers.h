@@ -9,8 +9,8 @@
 
 namespace graze::python {
 
-/// What `ask(index, work)` answers for each element, as run_batch() has it; of a single one it is
-/// asked at once, on this thread. Answers are no bools, of which threads could not write single
+/// Returns what `ask(index, work)` answers for each element, as run_batch() has it; a single one is
+/// asked at once, on this thread. Answers may not be bools, of which threads could not write single
 /// ones.
 template <typename Answer, typename Ask>
 std::vector<Answer> ask_all(bool is_many, std::size_t count, const Batch& batch, Work* work,
@@ -28,7 +28,7 @@ std::vector<Answer> ask_all(bool is_many, std::size_t count, const Batch& batch,
   return answers;
 }
 
-/// A pair of placed elements.
+/// Asks about a pair of placed elements.
 template <typename Answer, typename Ask>
 std::vector<Answer> ask_all(const PlacedPair& pair, const Batch& batch, Work* work,
                             const Ask& ask) {
@@ -36,7 +36,7 @@ std::vector<Answer> ask_all(const PlacedPair& pair, const Batch& batch, Work* wo
                          [&] { pair.check_poses(); });
 }
 
-/// Arrays of a member of each answer.
+/// Makes an array of a member of each answer.
 template <typename T, typename Answer, typename Member>
 py::array_t<T> numbers_of(const std::vector<Answer>& answers, const Member& member) {
   auto array = new_array<T>({static_cast<py::ssize_t>(answers.size())});
@@ -67,7 +67,7 @@ py::array_t<std::uint32_t> index_pairs_of(const std::vector<Answer>& answers,
   return array;
 }
 
-/// Members of each part, one beside the other.
+/// Returns members of each part, one beside the other.
 template <typename Part, typename Member>
 py::object columns_of(const std::vector<Part>& parts, std::initializer_list<Member> members) {
   auto array = new_array<std::uint32_t>(

@@ -46,7 +46,7 @@ Case make_case(py::handle word, py::handle a, py::handle b, py::handle clearance
   return made;
 }
 
-/// A case as the file that it would be, read by the JSON module of Python.
+/// Returns a case as the file that it would be, read by the JSON module of Python.
 py::object dict_of(const std::string& text) {
   return py::module_::import("json").attr("loads")(text);
 }

@@ -12,7 +12,7 @@
 namespace graze::python {
 namespace {
 
-/// Where the contacts of each answer begin in the list of all.
+/// Returns where the contacts of each answer begin in the list of all.
 template <typename Answer, typename Size>
 py::array_t<std::int64_t> offsets_of(const std::vector<Answer>& answers, const Size& size) {
   auto offsets = new_array<std::int64_t>({static_cast<py::ssize_t>(answers.size()) + 1});
@@ -25,7 +25,7 @@ py::array_t<std::int64_t> offsets_of(const std::vector<Answer>& answers, const S
   return offsets;
 }
 
-/// Those of all answers, one behind the other.
+/// Returns the contacts of all answers, one behind the other.
 py::object mesh_contacts(const std::vector<MeshContacts>& answers) {
   static const ResultType kType("MeshContacts");
   std::vector<MeshContact> all;
@@ -135,7 +135,7 @@ py::object result_of_intersection(MeshIntersection&& found) {
                array_over<std::uint32_t>(std::move(found.pairs), 2));
 }
 
-/// One for each pose.
+/// Returns one intersection for each pose.
 py::object intersections_of(py::handle a, py::handle b, py::handle threads, py::handle progress,
                             py::handle work) {
   const PlacedPair pair(a, b);

@@ -14,7 +14,8 @@
 namespace graze::python {
 namespace {
 
-/// What `of_mesh(mesh)` or `of_points(points)` returns, as the argument is the one or the other.
+/// Returns what `of_mesh(mesh)` or `of_points(points)` returns, as the argument is the one or the
+/// other.
 template <typename OfMesh, typename OfPoints>
 auto fit(py::handle argument, const OfMesh& of_mesh, const OfPoints& of_points) {
   if (py::isinstance<Mesh>(argument)) {

@@ -8,7 +8,7 @@
 
 namespace graze::python {
 
-/// Contacts as the arrays of ShapeContacts.
+/// Returns contacts as the arrays of ShapeContacts.
 py::object result_of(const std::vector<ShapeContact>& contacts);
 
 }  // namespace graze::python

@@ -73,7 +73,7 @@ py::object self_pairs_of(const Mesh& mesh, py::handle kind, py::handle limit,
                found.completeness == Completeness::Complete);
 }
 
-/// A box along the axes, a turned one, or a ball, as the library finds triangles in them.
+/// Takes a box along the axes, a turned one, or a ball, as the library finds triangles in them.
 TriangleList triangles_in(const Placed& mesh, py::handle volume, const TriangleSettings& settings,
                           Work* work) {
   if (PyTuple_Check(volume.ptr()) == 0 && !py::isinstance<Shape>(volume)) {

@@ -27,7 +27,7 @@ Placed unplaced(py::handle argument, const char* name) {
   return {argument, name};
 }
 
-/// Two bodies, and one motion of A and one or many of B.
+/// Holds two bodies, and one motion of A and one or many of B.
 struct MotionQuestion {
   MotionQuestion(py::handle a_argument, py::handle motion_argument_a, py::handle b_argument,
                  py::handle motion_argument_b)
@@ -38,7 +38,7 @@ struct MotionQuestion {
 
   template <typename Answer, typename Ask>
   std::vector<Answer> answers(const Batch& batch, Work* work, const Ask& ask) const {
-    // Motions differ a thousandfold in what they take, so that each is a part by itself.
+    // Motions take times that differ a thousandfold, so that each is a part by itself.
     return ask_all<Answer>(
         motions_b.is_many(), motions_b.size(), batch, work,
         [&](std::size_t i, Work* own) { return ask(*this, motions_b[i], own); }, {}, 1);
@@ -56,7 +56,7 @@ py::object first_contact_of(py::handle a, py::handle motion_a, py::handle b, py:
                             py::handle clearance, py::handle tolerance, py::handle budget,
                             py::handle threads, py::handle progress, py::handle work) {
   const MotionQuestion question(a, motion_a, b, motion_b);
-  static_cast<void>(question.b.shape());  // made once, before threads ask for it
+  static_cast<void>(question.b.shape());  // is made once, before threads ask for it
   static_cast<void>(question.a.shape());
   const RigidContactSettings settings = contact_settings(clearance, tolerance, budget);
   const auto answers = question.answers<RigidContact>(
@@ -108,7 +108,7 @@ py::object last_free_of(py::handle a, py::handle motion_a, py::handle b, py::han
   return answers[0] ? py::object(py::float_(*answers[0])) : py::none();
 }
 
-/// One displacement for all poses, or one for each.
+/// Holds one displacement for all poses, or one for each.
 class Displacements {
  public:
   Displacements(py::handle argument, const PlacedPair& pair)
@@ -125,7 +125,7 @@ class Displacements {
   std::size_t size() const { return size_; }
   Eigen::Vector3d operator[](std::size_t i) const { return points_[points_.is_many() ? i : 0]; }
 
-  /// Throws for the first that is not finite, and then for the first bad pose.
+  /// Throws for the first displacement that is not finite, and then for the first bad pose.
   void blame(const PlacedPair& pair) const {
     for (std::size_t i = 0; points_.is_many() && i < size_; ++i) {
       bvh::at_element("displacement", i, [&] {
@@ -142,7 +142,7 @@ class Displacements {
   std::size_t size_;
 };
 
-/// The members that casts of meshes and of shapes have; `pair` between them.
+/// Returns the members that casts of meshes and of shapes have, with `pair` between them.
 template <typename Cast>
 py::object casts_of(const std::vector<std::optional<Cast>>& answers, const ResultType& type,
                     const py::object& pairs) {
@@ -211,7 +211,7 @@ py::object cast_of(py::handle a, py::handle b, py::handle displacement, py::hand
   return casts_of_shapes(pair, displacements, batch, work_from(work));
 }
 
-/// An array of the words, of which numpy keeps four bytes a letter, up to zeros.
+/// Returns an array of the words, of which numpy keeps four bytes a letter, up to zeros.
 py::array words_of(const std::vector<RigidContact>& answers) {
   constexpr std::size_t kLetters = 5;
   py::array words(py::dtype("U5"),

@@ -11,7 +11,7 @@
 namespace graze::python {
 namespace {
 
-/// Asked of two meshes, of two placed elements of a batch, or of two shapes.
+/// Asks about two meshes, two placed elements of a batch, or two shapes.
 bool ask_intersects(const PlacedPair& pair, std::size_t index, Hit hit, PairMemory* memory,
                     Work* work) {
   if (!pair.are_meshes()) return intersects(pair.a.shape_at(index), pair.b.shape_at(index), work);
@@ -61,7 +61,7 @@ TrianglePairs ask_pairs(const PlacedPair& pair, std::size_t index, const PairSet
       {.limit = settings.limit, .touch = settings.touch, .threads = settings.threads}, work);
 }
 
-/// Lists one behind the other, and where each begins.
+/// Returns lists one behind the other, and where each begins.
 py::object lists_of(std::vector<TrianglePairs>&& found) {
   static const ResultType kType("TrianglePairLists");
   const auto count = static_cast<py::ssize_t>(found.size());

@@ -13,7 +13,7 @@
 namespace graze::python {
 namespace {
 
-/// One mesh in one pose and the points that it is asked about.
+/// Holds one mesh in one pose and the points that it is asked about.
 struct PointQuestion {
   PointQuestion(py::handle mesh, py::handle points_argument)
       : placed(placed_mesh(mesh, "mesh")), points(points_argument, "points") {
@@ -30,14 +30,14 @@ struct PointQuestion {
     }
   }
 
-  /// What `one(mesh, point, work)` answers of a single point.
+  /// Returns what `one(mesh, point, work)` answers for a single point.
   template <typename One>
   auto single(Work* work, const One& one) const {
     const py::gil_scoped_release released;
     return one(placed.mesh_at(0), points[0], work);
   }
 
-  /// What `all(mesh, points, settings, work)` answers, the library's batch.
+  /// Returns what `all(mesh, points, settings, work)` answers, the library's batch.
   template <typename All>
   auto many(const Batch& batch, Work* work, const All& all) const {
     const MatrixView<double> rows = points.matrix();
@@ -91,7 +91,7 @@ py::object nearest_of(py::handle mesh, py::handle points, py::handle threads, py
       question.many(batch, work_from(work),
                     [](const auto& placed, const auto& rows, const BatchSettings& settings,
                        Work* own) { return nearest_points(placed, rows, settings, own); });
-  // One pass: a million answers are more than a cache holds.
+  // This makes one pass, as a million answers are more than a cache holds.
   const auto count = static_cast<py::ssize_t>(answers.size());
   auto distances = new_array<double>({count}), where = new_array<double>({count, 3});
   auto triangles = new_array<std::uint32_t>({count});

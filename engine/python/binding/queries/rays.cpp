@@ -14,11 +14,12 @@ namespace {
 
 using Hits = std::vector<std::optional<RayHit>>;
 
-/// As many as the library's own batch of rays takes; of that the binding asks no more than what
-/// would have to be copied as a whole.
+/// A part has as many rays as the library's own batch takes; of that the binding asks no more than
+/// what would have to be copied as a whole.
 constexpr std::size_t kMostRaysInAPart = 4096;
 
-/// Those from `begin` on, in order. Of a mesh what its pose costs is computed once for each part.
+/// Casts the rays from `begin` on, in order. For a mesh what its pose costs is computed once for
+/// each part.
 Hits cast_part(const Placed& placed, const Rays& rays, std::size_t begin, std::size_t end,
                Work* work) {
   Hits found;
@@ -35,7 +36,7 @@ Hits cast_part(const Placed& placed, const Rays& rays, std::size_t begin, std::s
   return found;
 }
 
-/// The arrays of RayHits, which threads without Python's lock fill.
+/// Holds the arrays of RayHits, which threads without Python's lock fill.
 class HitColumns {
  public:
   explicit HitColumns(std::size_t count)

@@ -10,7 +10,7 @@
 
 namespace graze::python {
 
-/// One motion, or RigidMotions, or a list or a tuple of motions.
+/// Holds one motion, or RigidMotions, or a list or a tuple of motions.
 class Motions {
  public:
   /// Throws as motion_from() does, naming the element.
@@ -28,7 +28,7 @@ class Motions {
   bool is_many_;
 };
 
-/// RigidContacts of Python.
+/// Returns RigidContacts of Python.
 py::object result_of(const std::vector<RigidContact>& contacts);
 
 }  // namespace graze::python

@@ -6,7 +6,8 @@
 
 namespace graze::python {
 
-/// A grid of an origin, an edge and three counts, checked. Throws InputError.
+/// Returns a grid of an origin, an edge and three counts, checked. Throws InputError for an invalid
+/// one.
 VoxelGrid grid_from(py::handle origin, py::handle edge, py::handle counts);
 
 }  // namespace graze::python

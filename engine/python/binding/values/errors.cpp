@@ -12,7 +12,7 @@ py::object or_none(const std::optional<std::size_t>& number) {
   return py::int_(*number);
 }
 
-/// Raises the exception of that name of graze._errors, which carries the place.
+/// Raises the exception `name` of graze._errors, which carries the place.
 void raise(const char* name, const Error& error) {
   const py::module_ errors = py::module_::import("graze._errors");
   const ErrorPlace& place = error.place();

@@ -24,7 +24,7 @@ std::span<const Number> numbers_in(const py::array& array) {
   return {static_cast<const Number*>(array.data()), static_cast<std::size_t>(array.size())};
 }
 
-/// One for each cell, or nothing.
+/// Holds one value for each cell, or nothing.
 class Cells {
  public:
   Cells(py::handle argument, const char* name, const py::array& heights) {

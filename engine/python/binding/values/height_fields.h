@@ -6,11 +6,11 @@
 
 namespace graze::python {
 
-/// Of what HeightField of Python was called with: heights, (spacing_x, spacing_y), height_scale,
-/// height_offset, holes, materials. Throws InputError.
+/// Makes a field from what HeightField of Python was called with: heights, (spacing_x, spacing_y),
+/// height_scale, height_offset, holes, materials. Throws InputError.
 HeightField field_from(const py::args& arguments);
 
-/// What field_from() takes to make an equal one.
+/// Returns what field_from() takes to make an equal field.
 py::tuple arguments_of(const HeightField& field);
 
 }  // namespace graze::python

@@ -20,7 +20,8 @@
 namespace graze::python {
 namespace {
 
-/// Rows that follow each other in memory, of three, as the library takes them without a copy.
+/// Returns rows of three that follow each other in memory, as the library takes them without a
+/// copy.
 template <typename Row, typename Number>
 std::span<const Row> rows_of(const py::array& array) {
   static_assert(sizeof(Row) == 3 * sizeof(Number));
@@ -35,7 +36,8 @@ py::array vertices_from(py::handle argument) {
 
 Mesh make_mesh(py::handle vertices, py::handle triangles, py::handle materials);
 
-/// Of something that has vertices and faces: a mesh of trimesh, say, or of this package.
+/// Returns a mesh of something that has vertices and faces: a mesh of trimesh, say, or of this
+/// package.
 Mesh mesh_like(py::handle other) {
   if (py::isinstance<Mesh>(other)) return other.cast<const Mesh&>();
   if (!py::hasattr(other, "vertices") || !py::hasattr(other, "faces")) {
@@ -45,7 +47,7 @@ Mesh mesh_like(py::handle other) {
   return make_mesh(other.attr("vertices"), other.attr("faces"), py::none());
 }
 
-/// What triangles are made of.
+/// Returns a mesh with what its triangles are made of.
 Mesh mesh_of_materials(const py::array& points, py::handle triangles, py::handle materials) {
   const py::module_ arrays = py::module_::import("graze._arrays");
   const auto indices = arrays.attr("rows_of_unsigned")(triangles, "triangles").cast<py::array>();
@@ -74,7 +76,7 @@ Mesh make_mesh(py::handle vertices, py::handle triangles, py::handle materials) 
                    : Mesh(positions, rows_of<TriangleIndices, std::uint32_t>(indices));
 }
 
-/// A view of numbers that the mesh keeps, for as long as the view lives.
+/// Returns a view of numbers that the mesh keeps, for as long as the view lives.
 template <typename Number, typename Row>
 py::array view_of(const py::object& mesh, std::span<const Row> rows) {
   py::array_t<Number> view({static_cast<py::ssize_t>(rows.size()), py::ssize_t{3}},
@@ -83,7 +85,7 @@ py::array view_of(const py::object& mesh, std::span<const Row> rows) {
   return view;
 }
 
-/// The same of one number each.
+/// Returns a view of one number each in the same way.
 template <typename Number>
 py::array list_of(const py::object& mesh, std::span<const Number> numbers) {
   py::array_t<Number> view({static_cast<py::ssize_t>(numbers.size())}, numbers.data(), mesh);
@@ -214,7 +216,7 @@ numpy has saved.
 Raises PoseError, naming `file:line`, for what is no rigid pose.
 )";
 
-/// What is as it was given.
+/// Adds the arrays that are as they were given.
 void add_arrays(py::class_<Mesh, std::shared_ptr<Mesh>>& type) {
   type.def_property_readonly(
       "vertices",
@@ -248,7 +250,7 @@ void add_arrays(py::class_<Mesh, std::shared_ptr<Mesh>>& type) {
       "or None. No copy.");
 }
 
-/// What follows from it.
+/// Adds what follows from these arrays.
 void add_findings(py::class_<Mesh, std::shared_ptr<Mesh>>& type) {
   type.def(
       "welded",

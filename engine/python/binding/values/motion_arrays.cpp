@@ -10,7 +10,7 @@
 namespace graze::python {
 namespace {
 
-/// How many elements arguments are of, each of which may be one for all.
+/// Counts how many elements arguments have, each of which may be one for all.
 class CommonCount {
  public:
   void add(bool are_many, std::size_t count, const char* name) {
@@ -29,7 +29,7 @@ class CommonCount {
   std::size_t count_ = 1;
 };
 
-/// A number for all, or one for each.
+/// Holds a number for all, or one for each.
 class NumberOrMany {
  public:
   NumberOrMany(py::handle argument, const char* name) : array_(doubles(argument, name)) {
@@ -53,7 +53,7 @@ auto own_or_common(const Elements& elements, std::size_t i) {
   return elements[elements.is_many() ? i : 0];
 }
 
-/// `make(i)` for each; what it throws names the motion.
+/// Calls `make(i)` for each motion; what it throws names the motion.
 template <typename Make>
 MotionArray make_motions(std::size_t count, const Make& make) {
   const py::gil_scoped_release released;
@@ -116,7 +116,7 @@ MotionArray make_screws_between(py::handle start, py::handle end) {
   });
 }
 
-/// Row by row.
+/// Writes a pose row by row.
 double* write_rows(const Pose& pose, double* at) {
   for (int row = 0; row < 4; ++row) {
     for (int column = 0; column < 4; ++column)

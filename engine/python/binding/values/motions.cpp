@@ -62,7 +62,7 @@ py::object result_of(const RigidContact& contact) {
 
 namespace {
 
-/// Other ways to say which motion.
+/// Adds other ways to say which motion is meant.
 void add_makers(py::class_<RigidMotion>& type) {
   type.def_static(
           "between",
@@ -111,7 +111,7 @@ void add_makers(py::class_<RigidMotion>& type) {
           py::arg("body_centre") = py::make_tuple(0, 0, 0), py::arg("duration") = 1.0);
 }
 
-/// What is known of one.
+/// Adds what is known of one motion.
 void add_values(py::class_<RigidMotion>& type) {
   type.def("at", &poses_at,
            "at(self, t)\n--\n\nThe pose at t, from 0 to 1, or the poses at many, of the shape (n, "

@@ -9,19 +9,19 @@
 
 namespace graze::python {
 
-/// RigidMotions of Python.
+/// Holds RigidMotions of Python.
 struct MotionArray {
   std::vector<RigidMotion> all;
 };
-/// What these hold, or nothing if the argument is none of them.
+/// Returns the motions that RigidMotions hold, or nothing if the argument is no such object.
 const std::vector<RigidMotion>* motions_in(py::handle argument);
 
-/// A RigidMotion, or a pose that rests. Throws PoseError.
+/// Returns the motion of a RigidMotion, or of a pose that rests. Throws PoseError.
 RigidMotion motion_from(py::handle argument, const char* name);
-/// A RigidContact of Python.
+/// Returns a RigidContact of Python.
 py::object result_of(const RigidContact& contact);
 const char* word_of(RigidStatus status);
-/// What first contacts are told. Throws InputError for what are no numbers.
+/// Returns what first contacts are told. Throws InputError for anything but numbers.
 RigidContactSettings contact_settings(py::handle clearance, py::handle tolerance,
                                       py::handle budget);
 

@@ -26,7 +26,7 @@ ConvexHull hull_from(py::handle argument) {
   return ConvexHull(corners);
 }
 
-/// A shape of a kind that goes by its word, of what its class in Python was called with.
+/// Makes a shape of a kind that goes by its word, from what its class in Python was called with.
 Shape make_shape(const std::string& kind, const py::args& numbers) {
   const auto number = [&](std::size_t i, const char* name) {
     return number_from(numbers[i], name);
@@ -54,7 +54,7 @@ py::object hull_vertices(const ConvexHull& hull) {
   return vertices;
 }
 
-/// What make_shape() takes to make an equal one.
+/// Returns what make_shape() takes to make an equal shape.
 struct Arguments {
   py::tuple operator()(const Sphere& sphere) const {
     return py::make_tuple(tuple_of(sphere.centre), sphere.radius);
@@ -83,7 +83,7 @@ struct Arguments {
   py::tuple operator()(const HeightField& field) const { return arguments_of(field); }
 };
 
-/// The corners of each facet of a hull.
+/// Returns the corners of each facet of a hull.
 py::list facets_of(const Shape& shape) {
   const ConvexHull* hull = shape.as<ConvexHull>();
   if (hull == nullptr) throw py::type_error("this is no hull");

@@ -6,7 +6,7 @@
 
 namespace graze::python {
 
-/// A shape as the class of Python that has its kind, a mesh as a Mesh.
+/// Returns a shape as the class of Python that has its kind, a mesh as a Mesh.
 py::object object_of(const Shape& shape);
 
 }  // namespace graze::python
