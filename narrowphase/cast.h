@@ -8,7 +8,7 @@ namespace graze {
 
 /// Says how cast() treats triangles that meet at t = 0.
 struct CastSettings {
-  StartContact start = StartContact::Counts;  ///< what a contact at t = 0 is
+  StartContact start = StartContact::Counts;  ///< says whether a contact at t = 0 counts
 };
 
 /// Returns when triangle B, moved by `t displacement` (metres, t in [0, 1]), first meets triangle

@@ -42,7 +42,7 @@ enum class StartContact {
 
 /// Says how first_contact() treats contacts at t = 0, and which separation counts as one.
 struct FirstContactSettings {
-  StartContact start = StartContact::Counts;  ///< what a contact at t = 0 is
+  StartContact start = StartContact::Counts;  ///< says whether a contact at t = 0 counts
   /// A separation in metres, finite and not negative: sets no further apart than that are in
   /// contact.
   double separation = 0;

@@ -48,7 +48,7 @@ struct CaseMesh {
 
 /// Holds a point, metres.
 struct CasePoint {
-  Eigen::Vector3d position;  ///< in the common frame
+  Eigen::Vector3d position;  ///< the point in the common frame
 };
 
 /// Holds any shape that a body of a world can have, in its pose.

@@ -54,7 +54,7 @@ class ExactSimplex {
   void pivot(int row, int column);
   void exchange(int row, int column);
 
-  // Row i reads: basic_[i] = (cell_[i][kRight] - sum_j cell_[i][j] * outside_[j]) / denominator_.
+  /// Row i reads: basic_[i] = (cell_[i][kRight] - sum_j cell_[i][j] * outside_[j]) / denominator_.
   std::array<std::array<mpz_class, kColumns>, kRows> cell_;
   mpz_class denominator_;
   mpz_class product_a_;

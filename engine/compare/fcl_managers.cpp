@@ -102,8 +102,8 @@ bool add_if_colliding(fcl::CollisionObjectd* a, fcl::CollisionObjectd* b, void* 
 struct FclScene::Held {
   FclManager manager;
   std::vector<ShapeOfScene> shapes;
-  // They are kept as long as the bodies are the same ones, whatever their poses: FCL measures a
-  // mesh when an object is made of it.
+  /// They are kept as long as the bodies are the same ones, whatever their poses: FCL measures a
+  /// mesh when an object is made of it.
   std::vector<std::size_t> known;
   std::vector<std::unique_ptr<fcl::CollisionObjectd>> objects;
   std::vector<BodyTag> tags;

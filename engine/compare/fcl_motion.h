@@ -63,7 +63,7 @@ class FclMover {
 /// Holds what FCL says.
 struct FclFirstContact {
   bool is_hit;
-  double time;  ///< from 0 to 1
+  double time;  ///< a time from 0 to 1
 };
 
 /// Returns FCL's answer. It is nothing for motions that turn by 3 radians or more, for FCL turns

@@ -26,7 +26,7 @@ struct WorldRecorderSettings {
   double seconds_per_update = 0;  ///< seconds, for those who look at it; finite and not negative; 0
                                   ///< if unknown
   std::string note = {};          ///< a note for people on what it shows
-  RecordedWriting writing = RecordedWriting::Behind;  ///< when each block is handed on
+  RecordedWriting writing = RecordedWriting::Behind;  ///< says when each block is handed on
 };
 
 /// Writes down what is done to a world and what its updates say: while the recorder lives

@@ -17,7 +17,7 @@ using Corners3 = double[3][3];
 struct EdgePoint {
   const double* from;
   const double* to;
-  const double* other[3];  // the triangle's corners, or the first two for an edge
+  const double* other[3];  ///< the triangle's corners, or the first two for an edge
   enum class Through { Plane, Line } through;
 };
 

@@ -1,14 +1,15 @@
 #pragma once
 
-// The sign of one polynomial at a root of another.
+// Finds the sign of one polynomial at a root of another.
 //
-// How long the integers become. f, whose root it is, has coefficients of at most 6305 bits, g of
-// 4202 (polynomial.h). Where f has a multiple root, its roots are those of lines whose coefficients
-// are products of three of f's: 18930 bits. Ends of stretches are doubles, multiples of 2^-1074; or
-// finer, where two roots of f lie between neighbours. Such roots are further apart than 2^-12618
-// (Mahler, "An inequality for the discriminant of a polynomial", Michigan Mathematical Journal 11,
-// 1964: at least the root of three times the discriminant, over 9 and the square of the length of
-// the coefficients), so that 13700 bits behind the point are enough for the ends.
+// The integers become as long as follows. f, whose root it is, has coefficients of at most 6305
+// bits, g of 4202 (polynomial.h). Where f has a multiple root, its roots are those of lines whose
+// coefficients are products of three of f's: 18930 bits. Ends of stretches are doubles, multiples
+// of 2^-1074; or finer, where two roots of f lie between neighbours. Such roots are further apart
+// than 2^-12618 (Mahler, "An inequality for the discriminant of a polynomial", Michigan
+// Mathematical Journal 11, 1964: at least the root of three times the discriminant, over 9 and the
+// square of the length of the coefficients), so that 13700 bits behind the point are enough for the
+// ends.
 //
 //   the discriminant of f                        25230 bits
 //   f, or its Bernstein coefficients, at ends    6305 + 3 * 13700 + 8 = 47413

@@ -60,7 +60,7 @@ inline BothSigns sure_signs(Both ux, Both uy, Both vx, Both vy) {
   const Both sizes = absolute(both_left) + absolute(both_right);
   const Both areas = both_left - both_right;
   const BothSigns is_in_range = (sizes >= kSmallest) & (sizes <= kLargest);
-  // What is true is -1.
+  // A comparison that is true is -1.
   return is_in_range & ((areas < -kBound2d * sizes) - (areas > kBound2d * sizes));
 }
 

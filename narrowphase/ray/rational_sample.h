@@ -28,7 +28,7 @@ Aabb box_around(const RationalPoint& point);
 /// triangle, and an axis line through it meets no edge.
 struct RationalSample {
   const RationalPoint& point;
-  const Aabb& around;        ///< what box_around() returns for the point
+  const Aabb& around;        ///< the box that box_around() returns for the point
   const Triangle& triangle;  ///< has area; the point lies in its plane
   Sign side;                 ///< Positive: where n points
 };

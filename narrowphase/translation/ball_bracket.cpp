@@ -21,7 +21,7 @@ constexpr double kRoom = 0x1p-47;
 /// Holds a meeting with a ball whose centre is 0 at t = 0.
 struct RoughMeeting {
   double time = 2;         ///< above 1: none
-  Eigen::Vector3d offset;  ///< from the feature to the centre at that time
+  Eigen::Vector3d offset;  ///< the offset from the feature to the centre at that time
 };
 
 /// Returns the smaller root of |v - t w|^2 = r^2, for what is apart at t = 0; NaN if there is none.

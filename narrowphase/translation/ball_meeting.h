@@ -69,7 +69,7 @@ bool goes_in_from_start(const Corners<double>& triangle, const MovingBall& ball)
 struct BallPlace {
   Eigen::Vector3d point;   ///< a point of the triangle: each coordinate is off by at most 0.52 ulp
                            ///< of the largest of the triangle
-  Eigen::Vector3d normal;  ///< from the point to the centre, unit to a few ulp
+  Eigen::Vector3d normal;  ///< the direction from the point to the centre, unit to a few ulp
 };
 
 /// Returns where they meet. For a ball without a radius the normal is that of the face, and where

@@ -1,6 +1,6 @@
-// How long the integers become. Of two polynomials of degree two with coefficients of 12605 bits
-// (ball_features.h), f and g, roots of f stand 2^-12605 apart at least, a root of their
-// discriminant over the highest coefficient, so that 12608 bits behind the point part them.
+// The integers become as long as follows. If f and g are two polynomials of degree two with
+// coefficients of 12605 bits (ball_features.h), roots of f stand 2^-12605 apart at least, a root of
+// their discriminant over the highest coefficient, so that 12608 bits behind the point part them.
 //
 //   f, or g, at ends                 12605 + 2 * 12608 + 8 = 37829 bits
 //   f at the vertex of g             12605 + 2 * 12606 + 4 = 37821

@@ -129,7 +129,7 @@ class SidesOfAll {
 
   const TranslatedPair& pair_;
   Step d_;
-  Offset offset_[3][3];  ///< from a corner of B to one of A, by [of A][of B]
+  Offset offset_[3][3];  ///< the offset from a corner of B to one of A, by [of A][of B]
   Offset across_[3][3];  ///< that offset x d
   double bound_;
 };

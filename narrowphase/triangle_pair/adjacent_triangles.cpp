@@ -115,7 +115,7 @@ bool intersect_beyond_edge(const Triangle& triangle_a, const Triangle& triangle_
     return (contains(triangle_b, triangle_a.c) && !contains(edge, triangle_a.c)) ||
            (contains(triangle_a, triangle_b.c) && !contains(edge, triangle_b.c));
   }
-  // In one plane: they overlap if both lie on the same side of the edge.
+  // The two are in one plane: they overlap if both lie on the same side of the edge.
   for (int axis = 0; axis < 3; ++axis) {
     const Point2 from = project(a.point[0], axis);
     const Point2 to = project(a.point[1], axis);

@@ -51,9 +51,9 @@ class TrianglePairBatch {
   const double* row_b(std::size_t row) const { return b_[row]; }
 
  private:
-  // The first add() clears the rows, so that kernels may compute with lanes that hold no pair. They
-  // are not cleared before, because a query of meshes far apart adds none, and takes little longer
-  // than that.
+  /// The first add() clears the rows, so that kernels may compute with lanes that hold no pair.
+  /// They are not cleared before, because a query of meshes far apart adds none, and takes little
+  /// longer than that.
   alignas(64) double a_[9][kCapacity];
   alignas(64) double b_[9][kCapacity];
   std::size_t size_ = 0;

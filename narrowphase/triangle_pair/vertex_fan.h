@@ -14,7 +14,7 @@ struct VertexFan {
   enum class Kind { Open, Closed };
 
   const Eigen::Vector3d* vertex;
-  std::span<const Eigen::Vector3d* const> rays;  ///< from two to kMostRays
+  std::span<const Eigen::Vector3d* const> rays;  ///< two to kMostRays rays
   Kind kind;
 };
 

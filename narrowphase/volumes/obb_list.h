@@ -28,7 +28,8 @@ class ObbList {
   friend void intersects(const ObbList& boxes_a, const ObbList& boxes_b,
                          std::span<std::uint8_t> hits);
 
-  narrowphase::VolumeRows<narrowphase::kObbRows> rows_;  ///< in the order of narrowphase::ObbRow
+  narrowphase::VolumeRows<narrowphase::kObbRows> rows_;  ///< the rows in the order of
+                                                         ///< narrowphase::ObbRow
 };
 
 // These functions make many tests at once, as in aabb_list.h; the answers are bit for bit those of

@@ -30,7 +30,7 @@ Obb obb_of(const ObbRow& row);
 /// of its arguments.
 bool is_second_first(const ObbRow& box_a, const ObbRow& box_b);
 
-/// Only false is sure (obb_slack.h).
+/// False only if the boxes are apart for sure (obb_slack.h).
 bool may_overlap(const ObbRow& box_a, const ObbRow& box_b);
 bool may_overlap(const Aabb& aligned, const ObbRow& oriented);
 

@@ -53,7 +53,7 @@ class VolumeRows {
   std::size_t size_ = 0;
 };
 
-/// What kernels get of VolumeRows: the first element of each row.
+/// The form in which kernels get VolumeRows: the first element of each row.
 template <std::size_t N>
 using RowPointers = std::array<const double*, N>;
 

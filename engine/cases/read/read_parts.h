@@ -1,6 +1,6 @@
 #pragma once
 
-// How the parts of a case are read. Private to engine/cases.
+// Reads the parts of a case. Private to engine/cases.
 
 #include <functional>
 #include <optional>

@@ -21,7 +21,7 @@ struct Reading {
   const char* begin;
   const char* at;
   std::size_t line = 1;
-  const char* counted;  // lines are counted up to here
+  const char* counted;  ///< lines are counted up to here
 
   std::size_t line_now() {
     const char* const last = at == begin ? begin : at - 1;

@@ -28,7 +28,7 @@ struct JsonValue {
 };
 
 struct JsonValue::Members {
-  std::vector<std::string> keys;  ///< in the order of the file
+  std::vector<std::string> keys;  ///< the keys in the order of the file
   std::vector<JsonValue> values;
 };
 

@@ -36,7 +36,7 @@ std::string interruption_text(const CompareOptions& options, const compare::Jour
 
 /// Holds what a comparison has found, of whatever kind it is.
 struct CompareFindings {
-  std::string title;                    ///< in the notes of cases: "bolt.obj against nut.stl"
+  std::string title;                    ///< a title in notes of cases: "bolt.obj against nut.stl"
   std::string question;                 ///< the question; empty if each case says it
   std::string count;                    ///< "12 poses"
   std::string place;                    ///< what one of them is called: "pose"

@@ -38,7 +38,7 @@ struct CompareOptions {
   std::string resume;
   double time_tolerance = 1.5;
   double answer_tolerance = 0;  ///< the tolerance of --against: metres, or shares of a motion
-  std::string part = {};        ///< "K/N"; empty: the whole job
+  std::string part = {};        ///< "K/N"; empty for the whole job
   std::vector<std::string> answers = {};  ///< files of recorded answers, which take part as well
   std::size_t threads = 0;
   double timeout = 60;  ///< seconds for each question to another engine

@@ -7,14 +7,14 @@
 
 namespace graze::compare {
 
-/// Is the referee for one query, and can judge many answers to it: by linear programs in integers,
-/// rational numbers and proofs. README.md says which few formulas of the library it uses. An answer
-/// is right only if every part of it was judged; README.md says for each question what is judged,
-/// and with what tolerance. ShapeJudge judges two bodies, and what else is said of them is looked
-/// at in the same way. A distance is right within law 7's four ulp if graze says so, and for other
-/// engines, which promise nothing, within kTouchUlps of the largest coordinate. A negative distance
-/// of theirs claims a touch, and is judged as that alone: NotJudged, unless it is -1 or, for two
-/// convex shapes, the least depth.
+/// This is the referee for one query, and can judge many answers to it: by linear programs in
+/// integers, rational numbers and proofs. README.md says which few formulas of the library it uses.
+/// An answer is right only if every part of it was judged; README.md says for each question what is
+/// judged, and with what tolerance. ShapeJudge judges two bodies, and what else is said of them is
+/// looked at in the same way. A distance is right within law 7's four ulp if graze says so, and for
+/// other engines, which promise nothing, within kTouchUlps of the largest coordinate. A negative
+/// distance of theirs claims a touch, and is judged as that alone: NotJudged, unless it is -1 or,
+/// for two convex shapes, the least depth.
 class Judge {
  public:
   /// The case must outlive the judge.

@@ -36,7 +36,7 @@ class BulletCasts::Body {
   }
 
  private:
-  static constexpr bool kIsQuantized = true;  // the same as Bullet's users have it
+  static constexpr bool kIsQuantized = true;  ///< the value that Bullet's users have
 
   Eigen::Vector3d centre_;
   std::unique_ptr<btCollisionShape> shape_;

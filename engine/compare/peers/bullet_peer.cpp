@@ -57,8 +57,8 @@ class Collector : public btCollisionWorld::ContactResultCallback {
   }
   const btCollisionObject* first = nullptr;
   std::vector<CaseContact> contacts;
-  double nearest = std::numeric_limits<double>::infinity();  // the nearest of all points, apart or
-                                                             // not
+  double nearest = std::numeric_limits<double>::infinity();  ///< the nearest of all points, apart
+                                                             ///< or not
 };
 
 /// Tests two objects at a time.

@@ -324,8 +324,8 @@ class CoalShapes : public LoadedShapes {
   }
 
   struct Body {
-    Geometry geometry;       // the geometry, or null
-    Eigen::Vector3d centre;  // Coal's shapes are at 0
+    Geometry geometry;       ///< the geometry, or null
+    Eigen::Vector3d centre;  ///< Coal's shapes are at 0
   };
   std::vector<Body> shapes_;
 };

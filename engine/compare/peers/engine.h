@@ -113,7 +113,7 @@ class LoadedShapes {
                                            const PlacedShape& b) const;
 };
 
-/// Is a collision engine behind one interface. No type of the engine's own appears here.
+/// This is a collision engine behind one interface. No type of the engine's own appears here.
 class Engine {
  public:
   virtual ~Engine() = default;

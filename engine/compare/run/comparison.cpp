@@ -62,7 +62,7 @@ class LoadedEngine {
  private:
   struct Alone {
     std::once_flag is_loaded;
-    std::unique_ptr<LoadedPair> pair;  // null if the engine needs none
+    std::unique_ptr<LoadedPair> pair;  ///< null if the engine needs none
   };
 
   Utterance hear(const LoadedPair& pair, std::size_t pose) const {

@@ -28,8 +28,8 @@ const char* brief_of(bool says) {
 /// Holds what the world says at a step.
 struct WorldStep {
   std::size_t step = 0;
-  double time = 0;  // seconds
-  double took = 0;  // microseconds
+  double time = 0;  ///< seconds
+  double took = 0;  ///< microseconds
   std::set<ScenePair> touching;
 };
 
@@ -184,11 +184,11 @@ class StepTrial {
   WorldStep world_;
   std::vector<PlacedShape> bodies_;
   std::vector<std::pair<std::size_t, std::size_t>> asked_;
-  std::vector<ShapesAnswer> answers_;  // what each engine says
-  std::vector<std::string> said_;      // a character for each question, for the world and for each
-                                       // engine
+  std::vector<ShapesAnswer> answers_;  ///< what each engine says
+  std::vector<std::string> said_;  ///< a character for each question, for the world and for each
+                                   ///< engine
   StepRecord record_;
-  std::vector<Said> heard_;  // about the last pair; the world's first
+  std::vector<Said> heard_;  ///< about the last pair; the world's first
 };
 
 std::set<ScenePair> touching_in(const World& world) {

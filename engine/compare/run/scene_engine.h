@@ -18,8 +18,8 @@ namespace graze::compare {
 /// Names pairs of bodies, by their indices.
 using IndexPairs = std::span<const std::pair<std::size_t, std::size_t>>;
 
-/// Is an engine that holds the shapes of a scene and, for confirming what it said, a few pairs of
-/// them by themselves, or all again if it looks for pairs itself. The entry must outlive this.
+/// This is an engine that holds the shapes of a scene and, for confirming what it said, a few pairs
+/// of them by themselves, or all again if it looks for pairs itself. The entry must outlive this.
 class SceneEngine {
  public:
   SceneEngine(const EngineEntry& entry, std::span<const Shape> shapes,

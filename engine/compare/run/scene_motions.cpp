@@ -22,9 +22,9 @@ namespace {
 /// Holds what the world says of a step: the pairs that it lists, with the contact that comes first.
 struct SweptStep {
   std::size_t step = 0;
-  double from = 0;  // seconds
+  double from = 0;  ///< seconds
   double to = 0;
-  double took = 0;  // microseconds
+  double took = 0;  ///< microseconds
   std::map<ScenePair, RigidContact> met;
 };
 
@@ -267,9 +267,9 @@ class MotionTrial {
   const SceneComparisonSettings& settings_;
   SweptStep world_;
   std::vector<MovingSceneBody> moving_;
-  std::vector<std::string> said_;  // digests for the world and for each engine
+  std::vector<std::string> said_;  ///< digests for the world and for each engine
   StepRecord record_;
-  std::vector<Said> heard_;  // about the last pair; the world's first
+  std::vector<Said> heard_;  ///< about the last pair; the world's first
 };
 
 CaseShape case_shape(const Scene& scene, const MovingSceneBody& moved, bool are_meshes) {

@@ -10,7 +10,7 @@ namespace {
 // Each pair that is kept keeps a process for each thread that has asked about it.
 constexpr std::size_t kMostKept = 4;
 
-/// Is the share of one of those who have loaded a pair together.
+/// This is the share of one of those who have loaded a pair together.
 class Share : public LoadedPair {
  public:
   explicit Share(std::shared_ptr<const LoadedPair> pair) : pair_(std::move(pair)) {}

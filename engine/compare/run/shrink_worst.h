@@ -16,8 +16,8 @@ namespace graze::compare {
 /// Holds a wrong answer, and how to ask again.
 struct WrongAnswer {
   std::size_t place = 0;  ///< the pose, the step or the case
-  std::string where;      ///< the same for people: "7", "3: gear, pinion"
-  std::string name;       ///< in the name of a file: "bolt-nut-fcl-any-pose7"
+  std::string where;      ///< the place for people: "7", "3: gear, pinion"
+  std::string name;       ///< a part of a file's name: "bolt-nut-fcl-any-pose7"
   std::shared_ptr<const AnswerRecord> answer = nullptr;
   std::function<Case()> query = {};
   std::string origin = {};  ///< the file that the query came from, if it came from one

@@ -39,7 +39,7 @@ std::vector<Testimony> try_case(const Case& query, std::span<const EngineEntry> 
 struct Utterance {
   std::optional<CaseAnswer> answer = {};
   TimedAnswer::Time time{0};
-  std::string fault = {};  ///< "throws out of its depth", "died of SIGSEGV"; empty: nothing
+  std::string fault = {};  ///< "throws out of its depth", "died of SIGSEGV"; empty if none
 };
 
 /// Asks an engine. A refusal, an Error of the adaptor's, is no answer; whatever else an engine

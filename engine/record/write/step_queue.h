@@ -39,7 +39,7 @@ class StepQueue {
   // asks.
   bool has_failed() const noexcept;  ///< true if anything went wrong
   std::size_t updates() const;       ///< the number of updates that were written
-  std::uint64_t bytes() const;       ///< that were written
+  std::uint64_t bytes() const;       ///< the number of bytes that were written
 
  private:
   /// So many updates may wait; a world that is quicker than its recorder waits for it.

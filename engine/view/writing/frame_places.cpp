@@ -12,7 +12,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// A box that begins empty.
+/// Holds a box that begins empty.
 class Around {
  public:
   void add(const Vector3d& point) {
@@ -34,7 +34,7 @@ class Around {
   std::optional<Aabb> box_;
 };
 
-/// Of what stands in the frame, without what has no end.
+/// Adds the bodies that stand in the frame, without those that have no end.
 void add_bodies(const ShownView& view, const ShownFrame& frame, Around& around) {
   for (const auto& [body, pose] : frame.poses) {
     const ShownShape& shape = view.shapes[view.bodies[body].shape];
@@ -42,7 +42,7 @@ void add_bodies(const ShownView& view, const ShownFrame& frame, Around& around) 
   }
 }
 
-/// Where there are no bodies.
+/// Adds the marks, for a frame without bodies.
 void add_marks(const ShownFrame& frame, Around& around) {
   for (const auto* points : {&frame.curves, &frame.lines, &frame.points})
     for (const Vector3d& point : *points)
@@ -64,7 +64,7 @@ float float_of(double number) {
 
 Eigen::Vector3f NumberFrame::numbers(const Vector3d& point) const {
   Eigen::Vector3f out;
-  // Halves, for the difference of two doubles may be beyond double.
+  // It takes halves, for the difference of two doubles may be beyond double.
   for (int i = 0; i < 3; ++i)
     out[i] = float_of((point[i] / 2 - center[i] / 2) / scale * 2);
   return out;

@@ -9,7 +9,7 @@ namespace {
 
 struct Plane {
   Vec3 on;
-  Vec3 out;  ///< of any length
+  Vec3 out;  ///< the direction out of the face, of any length
 };
 
 /// Says where a plane cuts a polygon: along the line in which it meets the polygon's own plane.

@@ -86,8 +86,8 @@ class BoxAndTriangle {
   Vec3 corner_[3];  ///< the corners as seen from the middle of the box
   Vec3 normal_;
   double depth_ = std::numeric_limits<double>::infinity();
-  // The normal is the cross product of this axis of the box and this edge of the triangle, unless
-  // they are -1.
+  /// The normal is the cross product of this axis of the box and this edge of the triangle, unless
+  /// they are -1.
   int axis_ = -1;
   int edge_ = -1;
 };

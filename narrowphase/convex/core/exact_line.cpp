@@ -63,7 +63,7 @@ struct ExactDirection {
   BigVector vector;
 };
 
-// As in ray/ray_values.cpp: n . w and n . d are off by less than 2^-95 of the product of sizes, so
+// As in ray/ray_values.cpp, n . w and n . d are off by less than 2^-95 of the product of sizes, so
 // that above this share of it their quotient rounds to within 0.51 ulp.
 constexpr double kWellConditioned = 0x1p-32;
 constexpr double kSmallest = 0x1p-200;

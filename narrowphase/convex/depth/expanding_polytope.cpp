@@ -255,7 +255,7 @@ class Polytope {
   PolytopeDepth result(bool is_closed) const { return {normal_, upper_, lower_, is_closed}; }
 
   static constexpr double kNarrowest = 4;
-  static constexpr double kLeaning = 3.5;  // a bound above 2 sqrt(3)
+  static constexpr double kLeaning = 3.5;  ///< a bound above 2 sqrt(3)
 
   const Core& a_;
   const Core& b_;

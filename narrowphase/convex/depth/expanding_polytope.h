@@ -7,9 +7,10 @@ namespace graze::narrowphase {
 /// Holds what an expanding polytope found out about the least depth, metres.
 struct PolytopeDepth {
   Vec3 normal;   ///< unit, from A to B: the depth along it is `upper`
-  double upper;  ///< of a supporting plane: no less than the least depth
-  double lower;  ///< of a face of a polytope inside the difference of the sets: no more than that,
-                 ///< and, of sets that are apart, minus how far a point of that face is
+  double upper;  ///< the height of a supporting plane: no less than the least depth
+  double lower;  ///< the height of a face of a polytope inside the difference of the sets: no more
+                 ///< than the least depth, and for sets that are apart minus how far a point of
+                 ///< that face is
   bool is_closed;  ///< true if the two are as near as asked
 };
 

@@ -130,9 +130,9 @@ class BodyRay {
   CaseBody body_;
   const Ray& ray_;
   Vector3d direction_;
-  double scale_ = 0;  // metres
-  double most_ = 0;   // metres along the ray
-  double slack_ = 0;  // metres
+  double scale_ = 0;  ///< metres
+  double most_ = 0;   ///< metres along the ray
+  double slack_ = 0;  ///< metres
   double least_at_ = 0;
   double least_ = 0;
 };

@@ -157,9 +157,9 @@ struct ShapeJudge::Truth {
   PlacedBody b;
   std::optional<Case> query;
   std::optional<Judge> judge;
-  std::optional<bool> is_hit;  // none if it is not proved
-  double size = 0;             // metres, the gap or the depth
-  bool has_ended = true;       // true if the library's search for the answer has ended
+  std::optional<bool> is_hit;  ///< none if it is not proved
+  double size = 0;             ///< metres, the gap or the depth
+  bool has_ended = true;       ///< true if the library's search for the answer has ended
   double scale = 1;
   double ulp = 1;
 };

@@ -211,9 +211,9 @@ class ContactReview {
   const MeshCase& meshes_;
   ContactConvention convention_;
   bool is_graze_;
-  double largest_;  // the largest coordinate, metres
-  double exact_;    // metres
-  double slack_;    // metres
+  double largest_;  ///< the largest coordinate, metres
+  double exact_;    ///< metres
+  double slack_;    ///< metres
 };
 
 }  // namespace

@@ -11,9 +11,9 @@
 
 namespace graze::compare {
 
-/// Is the referee's own hierarchy: boxes of doubles, halved at the median. A node is halved when a
-/// walk first comes to it: most trees are walked once, and along a few ways. One thread may use it
-/// at a time, unless all nodes are halved.
+/// This is the referee's own hierarchy: boxes of doubles, halved at the median. A node is halved
+/// when a walk first comes to it: most trees are walked once, and along a few ways. One thread may
+/// use it at a time, unless all nodes are halved.
 class BoxTree {
  public:
   explicit BoxTree(std::span<const Triangle> triangles);

@@ -14,7 +14,7 @@
 
 namespace graze::compare {
 
-/// Is the arbiter for two placed meshes, surfaces only: law 1 places them, and all else is in
+/// This is the arbiter for two placed meshes, surfaces only: law 1 places them, and all else is in
 /// integers and rationals, but for what rounded numbers with bounds of their errors prove
 /// (surely_intersects()). Many threads may ask it.
 class MeshReferee {

@@ -21,8 +21,8 @@ struct PeerProgram {
   std::size_t longest_line = std::size_t{256} << 20;  ///< bytes
 };
 
-/// Is one process of an engine. One thread may use it at a time. What the engine does other than
-/// answering, or refusing, is thrown as EngineFailure; then the session is of no use any more.
+/// This is one process of an engine. One thread may use it at a time. What the engine does other
+/// than answering, or refusing, is thrown as EngineFailure; then the session is of no use any more.
 class PeerSession {
  public:
   /// Starts the process and hears who it is. Throws EngineMissingError, EngineFailure.

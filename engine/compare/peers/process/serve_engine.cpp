@@ -241,7 +241,7 @@ class Server {
 
   const Engine& engine_;
   int replies_;
-  std::optional<Mesh> mesh_a_;  // an adaptor may refer to them
+  std::optional<Mesh> mesh_a_;  ///< an adaptor may refer to them
   std::optional<Mesh> mesh_b_;
   std::size_t shape_count_ = 0;
   std::unique_ptr<LoadedPair> pair_;

@@ -181,7 +181,7 @@ std::vector<Pose> grazing_poses(const PlacedMeshView& mesh_a, const Mesh& mesh_b
 
 namespace {
 
-/// Is the finisher of Sebastiano Vigna's splitmix64: one bit of the input changes half of the
+/// This is the finisher of Sebastiano Vigna's splitmix64: one bit of the input changes half of the
 /// others.
 std::uint64_t mixed(std::uint64_t bits) {
   bits += 0x9e3779b97f4a7c15;

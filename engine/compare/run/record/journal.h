@@ -51,7 +51,7 @@ struct JobPart {
 /// Tells one comparison from another: the first line of its file.
 struct JournalHead {
   std::string kind;                ///< the first key of the file: "graze_comparison"
-  std::string unit;                ///< of its places: "poses"
+  std::string unit;                ///< what its places are: "poses"
   std::string key;                 ///< the SHA-256 of all that is asked
   std::vector<JournalPart> parts;  ///< the parts of that one by one, to say what differs
   std::size_t places = 0;          ///< the places of the whole job

@@ -22,7 +22,7 @@ struct StepAnswers {
 /// speak.
 struct SceneDifference {
   ScenePair pair;
-  std::vector<AnswerRecord> answers;  ///< that of "world" first
+  std::vector<AnswerRecord> answers;  ///< the answer of "world" first
 };
 
 /// Holds what all engines said about all pairs at one step.
@@ -30,7 +30,7 @@ struct StepRecord {
   std::size_t place = 0;  ///< the step
   double time = 0;        ///< seconds
   std::size_t questions = 0;
-  std::vector<StepAnswers> engines;  ///< "world" first
+  std::vector<StepAnswers> engines;  ///< the engines, "world" first
   std::vector<SceneDifference> differences;
 };
 
