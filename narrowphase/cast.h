@@ -6,7 +6,7 @@
 
 namespace graze {
 
-/// Says how cast() treats triangles that meet at t = 0.
+/// Says how cast() treats a contact at t = 0.
 struct CastSettings {
   StartContact start = StartContact::Counts;  ///< says whether a contact at t = 0 counts
 };

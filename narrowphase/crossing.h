@@ -25,7 +25,7 @@ namespace narrowphase {
 Decision decide(const Triangle& triangle_a, const Triangle& triangle_b, Touch touch);
 
 /// Asks the floating-point stage of crosses() alone. Apart means that they do not cross, Touching
-/// that they do. Not finite input is Unsure.
+/// that they do. Input that is not finite is Unsure.
 Verdict crossing_triage(const Triangle& triangle_a, const Triangle& triangle_b);
 
 /// Asks the exact stage of crosses() alone. Throws as crosses() does.

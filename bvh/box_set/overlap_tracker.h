@@ -45,8 +45,9 @@ class OverlapTracker {
   /// may wait.
   const BoxSet& set() const { return set_; }
 
-  /// Change a box as BoxSet does. Of these insert() alone may throw, and has then not happened. A
-  /// proxy that is erased must not come again before the next update.
+  /// Change a box as BoxOrder::insert(), BoxOrder::move() and BoxStore::erase() do. Of these
+  /// insert() alone may throw, and has then not happened. A proxy that is erased must not come
+  /// again before the next update.
   void insert(std::uint32_t proxy, const Aabb& box);
   void move(std::uint32_t proxy, const Aabb& box);
   void erase(std::uint32_t proxy);

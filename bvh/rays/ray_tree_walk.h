@@ -81,13 +81,13 @@ struct RayAxes {
 
 /// The numbers that the kernels read and write, as seen from the start of the walk.
 struct RayWalkState {
-  /// For boxes: s at a face is face inverse + near or far.
+  // For boxes: s at a face is face inverse + near or far.
   alignas(16) float inverse[4];
   alignas(16) float near[4];
   alignas(16) float far[4];
   std::size_t near_row[3];  ///< the row of RayNode::box, as a number of floats
   std::size_t far_row[3];
-  /// For leaves, along x, y and z as the ray sees them.
+  // For leaves, along x, y and z as the ray sees them:
   const RayAxes* axes;
   double origin[3];
   double lean[2];  ///< how far x and y lean for each unit of z

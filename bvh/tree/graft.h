@@ -16,7 +16,7 @@ struct Graft {
   std::vector<Node> nodes;
 };
 
-/// A tree's nodes, and which of them were nodes of the stock.
+/// A tree's nodes, and for those that were kept which nodes of the stock they were.
 struct GraftedNodes {
   struct Kept {
     std::uint32_t at;

@@ -91,8 +91,8 @@ enum class Ask {
 
 /// Holds the settings that can change an answer, and no others.
 struct CaseSettings {
-  /// What counts: for Any of two meshes; for Any of two triangles and Pairs of two meshes Touching
-  /// or Crossing; for Any of a mesh and a volume Touching or Solid.
+  /// What counts as a hit. Any of two meshes takes every kind. Any of two triangles, and Pairs of
+  /// two meshes, take Touching or Crossing. Any of a mesh and a volume takes Touching or Solid.
   Hit hit = Hit::Touching;
   double clearance = 0;     ///< metres, for Ask::Within, FirstContact and Free
   double tolerance = 1e-6;  ///< metres, for Ask::FirstContact and Free
@@ -109,7 +109,7 @@ struct CaseContact {
   Eigen::Vector3d point;    ///< midway between the two
   Eigen::Vector3d point_a;  ///< the point on A
   Eigen::Vector3d point_b;  ///< the point on B
-  Eigen::Vector3d normal;   ///< unit, from A to B
+  Eigen::Vector3d normal;   ///< from A to B; unit unless the engine errs
   double depth;             ///< metres
 };
 
@@ -118,7 +118,7 @@ struct CaseShapeContact {
   Eigen::Vector3d point;                   ///< midway between the two, or where the engine puts it
   std::optional<Eigen::Vector3d> point_a;  ///< the point on A
   std::optional<Eigen::Vector3d> point_b;  ///< the point on B
-  Eigen::Vector3d normal;                  ///< unit, from A to B
+  Eigen::Vector3d normal;                  ///< from A to B; unit unless the engine errs
   double depth;                            ///< metres
   ContactFeature feature;                  ///< the parts that meet
 };
@@ -129,8 +129,8 @@ struct CaseAnswer {
   std::optional<bool> says;                             ///< Any, Within, Contains, SelfAny, Free
   std::optional<std::vector<TrianglePair>> pairs;       ///< Pairs of two meshes, SelfPairs
   std::optional<std::vector<std::uint32_t>> triangles;  ///< Pairs, of a mesh and a volume
-  /// Distance, Separation; metres. A negative distance claims a touch: some engines return -1, or
-  /// minus the depth.
+  /// Distance, Separation; metres. A negative answer to Distance claims a touch: some engines
+  /// return -1, or minus the depth.
   std::optional<double> distance;
   std::optional<double> lower_bound;                      ///< Distance of bodies, metres
   std::optional<bool> is_converged;                       ///< Distance of bodies

@@ -43,7 +43,7 @@ bool intersects(const FclMesh& mesh_a, const Pose& pose_a, const FclMesh& mesh_b
 std::vector<TrianglePair> find_triangle_pairs(const FclMesh& mesh_a, const Pose& pose_a,
                                               const FclMesh& mesh_b, const Pose& pose_b);
 
-/// Says what FCL does of the distance of two surfaces: 0 for those that it thinks touch.
+/// What FCL says of the distance of two surfaces: 0 for those that it thinks touch.
 struct FclDistance {
   double distance;  ///< metres
   TrianglePair pair;
@@ -54,7 +54,7 @@ FclDistance distance(const FclMesh& mesh_a, const Pose& pose_a, const FclMesh& m
 /// Holds one contact of FCL, which makes several of a pair of triangles.
 struct FclContact {
   Eigen::Vector3d point;
-  Eigen::Vector3d normal;  ///< unit, from A to B
+  Eigen::Vector3d normal;  ///< from A to B; unit unless FCL errs
   double depth;            ///< metres
 };
 std::vector<FclContact> find_contacts(const FclMesh& mesh_a, const Pose& pose_a,

@@ -85,7 +85,7 @@ bool takes(FclManager manager, ShapeKind kind) {
 
 using Found = std::vector<std::pair<std::size_t, std::size_t>>;
 
-/// Is FCL's callback: true would end the walk.
+/// FCL's callback: true would end the walk.
 bool add_if_colliding(fcl::CollisionObjectd* a, fcl::CollisionObjectd* b, void* found) {
   const auto* tag_a = static_cast<const BodyTag*>(a->getUserData());
   const auto* tag_b = static_cast<const BodyTag*>(b->getUserData());
@@ -102,8 +102,8 @@ bool add_if_colliding(fcl::CollisionObjectd* a, fcl::CollisionObjectd* b, void* 
 struct FclScene::Held {
   FclManager manager;
   std::vector<ShapeOfScene> shapes;
-  /// They are kept as long as the bodies are the same ones, whatever their poses: FCL measures a
-  /// mesh when an object is made of it.
+  // FCL's objects, and what they were made of, are kept as long as the bodies are the same ones,
+  // whatever their poses: FCL measures a mesh when an object is made of it.
   std::vector<std::size_t> known;
   std::vector<std::unique_ptr<fcl::CollisionObjectd>> objects;
   std::vector<BodyTag> tags;

@@ -7,7 +7,7 @@
 
 namespace graze::files {
 
-/// Is thrown for a file that cannot be written: what() reads `file: cannot be written: why`.
+/// Thrown for a file that cannot be written: what() reads `file: cannot be written: why`.
 class FileError : public Error {
  public:
   using Error::Error;

@@ -17,7 +17,7 @@
 
 namespace graze {
 
-/// Is thrown for a recording that cannot be read, or cannot be repeated: what() reads `file: byte
+/// Thrown for a recording that cannot be read, or cannot be repeated: what() reads `file: byte
 /// N: why`, or `file: why`.
 class RecordingError : public Error {
  public:

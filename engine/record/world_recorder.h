@@ -71,7 +71,8 @@ class WorldRecorder {
   void name(BodyId id, std::string_view name);
 
   /// Returns how many updates are in the recording. This and the next two functions wait until all
-  /// that have taken place are; the sink, which may ask, too, is told what is written.
+  /// updates that have taken place are written; the sink, which may ask, too, is told what is
+  /// written.
   std::size_t updates() const;
   /// Returns how many bytes it has.
   std::uint64_t bytes() const;

@@ -12,7 +12,7 @@ namespace graze::narrowphase {
 struct PointDistance {
   double distance;
   Eigen::Vector3d nearest;
-  Feature feature;  ///< the feature of the triangle that holds `point`
+  Feature feature;  ///< the feature of the triangle that holds `nearest` before rounding
   Stage stage;      ///< Triage only if no exact stage was asked for anything
 };
 

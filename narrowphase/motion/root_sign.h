@@ -28,7 +28,8 @@
 namespace graze::narrowphase {
 
 /// Returns the sign of g just after t; the next function returns that just before. Each is its own
-/// sign at t, or that of the first derivative that is not zero.
+/// sign at t, or that of the first derivative that is not zero, which just before t is negated if
+/// the derivative is of odd order.
 template <typename SignAt>
 Sign sign_after(const Polynomial& g, const SignAt& sign_of) {
   const Sign sign = sign_of(g);

@@ -6,7 +6,7 @@
 
 namespace graze::narrowphase {
 
-/// Is thrown by integers that outgrow their capacity. It never leaves the library: the caller that
+/// Thrown by integers that outgrow their capacity. It never leaves the library: the caller that
 /// may meet it begins anew with wider integers.
 struct CapacityExceeded {};
 

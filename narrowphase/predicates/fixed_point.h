@@ -34,7 +34,7 @@ inline Sign sign_of(Int128 value) {
   return static_cast<Sign>((value > 0) - (value < 0));
 }
 
-/// Returns what the orientations of predicates.h do. The products are below 2^122.
+/// Returns (b - a) x (c - a), whose sign is orientation_2d(). The products are below 2^122.
 inline Int128 area(FixedPoint2 a, FixedPoint2 b, FixedPoint2 c) {
   return static_cast<Int128>(b.x - a.x) * (c.y - a.y) -
          static_cast<Int128>(b.y - a.y) * (c.x - a.x);

@@ -165,7 +165,7 @@ HWY_NOINLINE bool slow_crossing(const Face& face, FaceLine& found) {
 // This gives the same bits in less than half of the time. Nothing is brought back to pairs on the
 // way: a high part is a product or a sum of doubles, whose errors are doubles, and a low part
 // gathers these and is rounded. How far slow and quick values may be apart is known; where all
-// numbers between rounds alike, that is what the slow ones round to
+// numbers between round alike, that is what the slow ones round to
 // (tests/proofs/face_values.gappa).
 //
 // Write u = 2^-53, S and W for the sizes of u times v and of w, P = |p| + |q| for the two products

@@ -22,7 +22,7 @@ struct FaceInput {
 };
 
 struct FaceValues {
-  double against_normal;  ///< the sign of normal . direction
+  double against_normal;  ///< a number with the sign of normal . direction
   double scale;           ///< as in RayPlace
   alignas(32) double normal[4];
 };

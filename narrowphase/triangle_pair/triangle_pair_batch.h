@@ -74,8 +74,8 @@ Verdict compare_coordinates(const Triangle& triangle_a, const Triangle& triangle
 /// the exact stage decides. Throws as decide() does.
 Decision decide_unsure(const Triangle& triangle_a, const Triangle& triangle_b, Touch touch);
 
-/// Answers where coordinates do not fit into the integers of 60 bits of intersects_exactly(): for
-/// any coordinates that are finite.
+/// Returns what intersects_exactly() does, for any finite coordinates. That falls back on this
+/// where coordinates do not fit into 60 bits.
 bool intersects_by_expansions(const Triangle& triangle_a, const Triangle& triangle_b);
 
 /// Returns bits: bit i is set if pair i is surely apart because one triangle is strictly on one

@@ -19,8 +19,8 @@ struct VertexFan {
 };
 
 /// True only if any two triangles of the fan have no more in common than the vertex and, if one
-/// follows the other, the edge between them. It computes rounded, for any finite points; false is
-/// not sure. Takes linear time.
+/// follows the other, the edge between them. It computes in rounded arithmetic, for any finite
+/// points; false is not sure. Takes linear time.
 bool is_surely_simple(const VertexFan& fan);
 
 }  // namespace graze::narrowphase

@@ -19,8 +19,8 @@ inline constexpr std::size_t kTranslationRow = 4;
 inline constexpr std::size_t kAxisRow = 7;
 inline constexpr std::size_t kDeviationRow = 16;
 
-/// Returns the row of a valid box, and of one whose deviation from a rotation bvh::check_box() has
-/// returned.
+/// Return the row of a valid box; the second takes the deviation from a rotation that
+/// bvh::check_box() has returned.
 ObbRow row_of(const Obb& box);
 ObbRow row_of(const Obb& box, double deviation);
 Obb obb_of(const ObbRow& row);

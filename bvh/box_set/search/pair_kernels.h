@@ -43,11 +43,13 @@ struct MoverOverlap {
   std::uint8_t overlaps;    ///< 1 if it overlaps the mover where that is
 };
 
-/// The working memory of a lookup of movers.
+/// A block that a mover may overlap.
 struct Reached {
   std::uint32_t mover;
   std::uint32_t block;
 };
+
+/// The working memory of a lookup of movers.
 struct Lookup {
   std::vector<Reached> reached;  ///< blocks on the level that is looked at
   std::vector<Reached> below;    ///< blocks one level down

@@ -106,7 +106,7 @@ HWY_INLINE hn::Vec<AnyTag> root_above(AnyTag tag, hn::Vec<AnyTag> square) {
 }
 
 /// Returns a gap along a direction that was rounded, or, where distances are as large as gaps may
-/// be or overflow, one that no motion makes up for.
+/// be or overflow, one so far below 0 that no motion makes up for it.
 template <typename AnyTag>
 HWY_INLINE hn::Vec<AnyTag> if_near(AnyTag tag, hn::Vec<AnyTag> gap,
                                    hn::Vec<AnyTag> squared_distance) {

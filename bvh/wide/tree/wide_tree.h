@@ -100,9 +100,8 @@ struct Treelet {
   float largest_coordinate = 0;  ///< the largest size of a coordinate of a corner
   std::uint32_t first = 0;
 
-  /// The cost_of() the nodes when they were built, and when their axes were last chosen.
-  float built_cost = 0;
-  float fitted_cost = 0;
+  float built_cost = 0;   ///< cost_of() of the nodes when they were built
+  float fitted_cost = 0;  ///< cost_of() of the nodes when their axes were last chosen
 };
 
 /// Counts how treelets came to be.

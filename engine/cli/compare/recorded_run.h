@@ -33,7 +33,7 @@ struct RecordedJob {
   std::function<void(const compare::PlaceRange& range,
                      const std::function<bool(std::vector<Record>)>& on_records)>
       run = {};
-  /// Is called with each record once, in their order.
+  /// Called with each record once, in their order.
   std::function<void(const Record&)> on_record = {};
   /// Returns what is told while the job runs, besides how far it came.
   std::function<std::string()> note = {};

@@ -15,8 +15,8 @@
 namespace graze::cli {
 
 /// Takes wrong answers of a run as they come, however many. They are counted, and those that are
-/// told one by one are kept: the first, the worst, and the first of each engine that closes the
-/// gate.
+/// told one by one are kept: the first, the worst, and the first answers of each engine that close
+/// the gate.
 class WrongList {
  public:
   /// This many of the first are kept, and this many of each engine.

@@ -6,7 +6,7 @@
 
 namespace graze::cli {
 
-/// Is thrown when a run was stopped by its user, with a record of what is done; what() says how to
+/// Thrown when a run was stopped by its user, with a record of what is done; what() says how to
 /// go on.
 class Interrupted : public Error {
  public:

@@ -13,7 +13,7 @@ enum class ExitCode {
   Interrupted = 130,  ///< SIGINT ended the run: what is done is in the file of --resume
 };
 
-/// Is thrown for arguments that cannot be used; what() names the option.
+/// Thrown for arguments that cannot be used; what() names the option.
 class UsageError : public Error {
  public:
   using Error::Error;

@@ -7,13 +7,13 @@
 
 namespace graze::cli {
 
-/// Is thrown if standard output could not be written: a full disk, for example.
+/// Thrown if standard output could not be written: a full disk, for example.
 class OutputError : public Error {
  public:
   using Error::Error;
 };
 
-/// Is thrown if whoever read the output has closed it, as `head` does: no failure, but no use going
+/// Thrown if whoever read the output has closed it, as `head` does: no failure, but no use going
 /// on.
 class OutputClosed {};
 

@@ -22,7 +22,7 @@ struct PoseAnswer {
   std::optional<MeshDistance> gap;     ///< the distance, if the query was for it
   Work work;
   std::chrono::duration<double, std::micro> time{0};
-  std::optional<compare::Comparison> fcl;  ///< FCL's comparison, if a check was asked for
+  std::optional<compare::Comparison> fcl;  ///< the comparison with FCL, if a check was asked for
 };
 
 }  // namespace graze::cli

@@ -18,7 +18,7 @@ class SceneRecorder {
 
   /// Throws what went wrong so far.
   void check();
-  /// Ends the file. Throws what went wrong.
+  /// Ends the file. Throws as WorldRecorder::finish() does.
   void finish();
 
  private:

@@ -36,7 +36,7 @@ struct MeshReportSettings {
   bool has_fits = false;  ///< true to fit volumes around the mesh and around the nodes of its tree
   bool has_self_intersections = false;  ///< true to count the pairs of triangles that intersect
   bool has_health = false;              ///< true to say what is wrong with the mesh
-  /// Is called with how much is done, per cent.
+  /// Called with how much is done, per cent.
   std::function<void(std::size_t per_cent)> on_progress = [](std::size_t) {};
 };
 

@@ -76,7 +76,8 @@ std::optional<BulletMotion> motion_of(const Pose& pose, const std::optional<Rigi
                       motion.angle() != 0};
 }
 
-/// Holds what a cast found: the time of a contact, or none.
+/// Holds what a cast found: the time of a contact, or none. A pair that Bullet does not know has no
+/// BulletFinding.
 struct BulletFinding {
   std::optional<double> contact;
 };

@@ -31,14 +31,14 @@ struct Question {
   bool is_plain() const { return settings.hit == Hit::Touching && !settings.limit; }
 };
 
-/// Is thrown for what an engine did instead of answering: it died, it hung, it wrote what nobody
+/// Thrown for what an engine did instead of answering: it died, it hung, it wrote what nobody
 /// can read. what() says it in words. It is the engine's error, and no refusal.
 class EngineFailure : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// Is thrown if an engine cannot be asked at all: the program that it runs in is not there.
+/// Thrown if an engine cannot be asked at all: the program that it runs in is not there.
 class EngineMissingError : public Error {
  public:
   using Error::Error;
@@ -212,6 +212,7 @@ struct MeshCase {
   CaseMesh a;
   CaseMesh b;
 };
+/// Returns the meshes of a case; nothing for other shapes.
 std::optional<MeshCase> as_meshes(const Case& query);
 
 /// Holds the two bodies of a case, which must outlive it.
@@ -219,6 +220,7 @@ struct BodyCase {
   const CaseBody& a;
   const CaseBody& b;
 };
+/// Returns the bodies of a case; nothing for other shapes.
 std::optional<BodyCase> as_bodies(const Case& query);
 
 }  // namespace graze::compare

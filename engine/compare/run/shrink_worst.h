@@ -41,14 +41,14 @@ struct ShrinkWorstSettings {
   std::chrono::duration<double> time{10};  ///< seconds for all of them; with 0 they are left as
                                            ///< they are
 
-  /// Is called with each case as soon as there is anything to keep: its guilty pair of triangles,
+  /// Called with each case as soon as there is anything to keep: its guilty pair of triangles,
   /// or all of it before what may take long; then as it gets smaller, now and then, and at its end.
   std::function<void(const ShrunkCase&)> on_case = {};
 
-  /// Is called with each case at its end, after on_case.
+  /// Called with each case at its end, after on_case.
   std::function<void(ShrunkCase)> on_done = {};
 
-  /// Is called before each question with how many cases are done.
+  /// Called before each question with how many cases are done.
   std::function<void(std::size_t done)> on_progress = {};
 };
 

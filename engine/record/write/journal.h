@@ -51,10 +51,8 @@ class WorldRecorder::Journal final : public WorldJournal {
   void note_all(const Bodies& all);
   void write_contents(const WorldContents& contents, record::ByteWriter& to);
   std::uint32_t number_of(const std::shared_ptr<const BodyShape>& shape);
-  record::ByteWriter& changes() {
-    return queue_.notes().changes;
-  }  ///< the changes since the last
-     ///< update
+  /// Returns the changes since the last update.
+  record::ByteWriter& changes() { return queue_.notes().changes; }
   void note_id(BodyId id);
 
   record::StepQueue queue_;

@@ -48,11 +48,9 @@ class StepNotes {
   }
 
   std::span<const Run> runs() const { return runs_; }
-  std::span<const std::uint32_t> bodies() const {
-    return bodies_;
-  }                                                       ///< the bodies of all runs, in
-                                                          ///< order
-  std::span<const Pose> poses() const { return poses_; }  ///< the poses of all runs, in order
+  /// Return the bodies of all runs, and their poses, in order.
+  std::span<const std::uint32_t> bodies() const { return bodies_; }
+  std::span<const Pose> poses() const { return poses_; }
 
  private:
   std::vector<Run> runs_;

@@ -32,7 +32,8 @@ Aabb bounds_of(const std::vector<Eigen::Vector3d>& vertices) {
   return box;
 }
 
-/// Returns the index of the first shape that is as `is_it` says, and how many there are if none is.
+/// Returns the index of the first shape that is as `is_it` says, or how many shapes there are if
+/// none is.
 template <typename IsIt>
 std::size_t place_of(const std::vector<view::ShownShape>& shapes, const IsIt& is_it) {
   return static_cast<std::size_t>(std::find_if(shapes.begin(), shapes.end(), is_it) -

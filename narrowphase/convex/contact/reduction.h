@@ -33,8 +33,8 @@ class CoreSurfaces final : public ContactSurfaces {
 };
 
 /// Takes a point along `out`, a unit direction away from a set, to the surface of the set, grown by
-/// a margin along `out`, metres. False if the set turns a point to that direction and no face, or
-/// if the point is off the face that it turns there.
+/// a margin along `out`, metres. False if only a point of the set faces `out`, if the point is off
+/// the plane of a face that is even, or if the line misses the surface of one that is uneven.
 bool move_onto_face(const Core& core, const Vec3& out, double margin, Vec3& point);
 
 /// Says by what the greatest depth of contacts is measured.

@@ -30,7 +30,7 @@ class PointRows {
   std::size_t farthest(const Vec3& direction, std::size_t count) const;
 
   /// Returns the number of the first point from that one on that lies at least so far along a
-  /// direction, and how many points there are if none does.
+  /// direction, or how many points there are if none does.
   std::size_t next_beyond(const Vec3& direction, double along, std::size_t from) const;
 
  private:

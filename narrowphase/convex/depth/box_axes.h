@@ -33,11 +33,11 @@ class BoxAxes {
  private:
   const Core& box_a_;
   const Core& box_b_;
-  /// The offset between the middles along the axes, and how far the boxes overlap along them.
+  // The offset between the middles along the axes, and how far the boxes overlap along them.
   double offset_a_[3], offset_b_[3];
   double overlap_a_[3], overlap_b_[3];
-  /// The offsets and overlaps along the cross products of an axis of A and one of B, whose squared
-  /// lengths are in `square_`.
+  // The offsets and overlaps along the cross products of an axis of A and one of B, whose squared
+  // lengths are in `square_`.
   double offset_[3][3], overlap_[3][3], square_[3][3];
   double margin_;  ///< the bound beyond which an answer is sure
 };

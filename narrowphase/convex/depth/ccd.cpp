@@ -33,6 +33,8 @@ void support_of(const void* side, const ccd_vec3_t* direction, ccd_vec3_t* point
   const Side& s = *static_cast<const Side*>(side);
   const Vec3 unit = unit_or(from_ccd(*direction), {0, 0, 1});
   const Vec3 found = rounded_support(*s.core, unit) * s.attempt->to_units;
+  // Once the budget is spent, or a point is not finite, this leaves libccd for good: MPR holds no
+  // memory, and no frame between here and there has anything to destroy, so the jump is safe.
   if (--s.attempt->budget < 0 || !std::isfinite(dot(found, found))) {
     std::longjmp(s.attempt->end, 1);
   }

@@ -17,9 +17,9 @@ struct CoreGap {
   double lower;
   double upper;
   double slack;
-  Vec3 point_a;  ///< the points of core A and of core B, `upper` apart
-  Vec3 point_b;
-  Vec3 normal;  ///< unit, from A to B; where cores touch, the last direction of the search
+  Vec3 point_a;  ///< a point of core A
+  Vec3 point_b;  ///< a point of core B, `upper` from `point_a`
+  Vec3 normal;   ///< unit, from A to B; where cores touch, the last direction of the search
 };
 
 /// Says when to stop before the gap is known as well as doubles can.

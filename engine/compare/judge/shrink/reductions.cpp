@@ -41,9 +41,8 @@ void shorten(double value, const std::function<bool(double)>& will_do) {
     const double coarse =
         digits == 0 ? 0
                     : std::ldexp(std::nearbyint(std::ldexp(fraction, digits)), exponent - digits);
-    if (!std::isfinite(coarse))
-      continue;  // where fewer digits round up it may be beyond the
-                 // largest double
+    // Fewer digits may round up beyond the largest double.
+    if (!std::isfinite(coarse)) continue;
     if (coarse == value || will_do(coarse)) return;
   }
 }

@@ -9,11 +9,11 @@ namespace graze::compare {
 /// True if a smaller query still shows what is to be shown.
 using StillWrong = std::function<bool(const Case&)>;
 
-/// Is thrown by StillWrong to end the search: the smallest query so far is then the result.
+/// Thrown by StillWrong to end the search: the smallest query so far is then the result.
 class ShrinkingStopped {};
 
 struct ShrinkSettings {
-  /// Is called once, before all that may take long: where the two triangles of the culprit alone do
+  /// Called once, before all that may take long: where the two triangles of the culprit alone do
   /// not show it, and before the first question about bodies.
   std::function<void()> before_search = {};
 };

@@ -31,7 +31,7 @@ constexpr cases::JsonLimits kLimits = {.values = std::size_t{1} << 28};  // for 
 constexpr std::size_t kLongLine = std::size_t{1} << 16;  // bytes: no question is as long
 constexpr int kHasReplied = 42;                          // no code that an engine would end with
 
-/// Is thrown if the engine refuses, or knows no such question.
+/// Thrown if the engine refuses, or knows no such question.
 class Unsupported : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

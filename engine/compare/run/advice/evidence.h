@@ -36,7 +36,7 @@ struct Evidence {
 inline constexpr std::size_t kFlatNamed = 8;
 
 /// Looks at the query of a wrong answer again. Nothing is known unless it is about two meshes.
-/// Takes linear time in triangles without area, else constant time.
+/// Finding triangles without area takes linear time in all triangles, the rest constant time.
 Evidence evidence_of(const Case& query, const AnswerRecord& answer);
 
 }  // namespace graze::compare

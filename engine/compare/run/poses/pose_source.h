@@ -45,13 +45,13 @@ std::vector<Pose> random_poses(const PlacedMeshView& mesh_a, const Mesh& mesh_b,
 std::vector<Pose> grazing_poses(const PlacedMeshView& mesh_a, const Mesh& mesh_b, std::size_t count,
                                 std::uint64_t seed);
 
-/// Make as many such poses as there are, without holding them. The meshes are kept.
+/// Return a source of `count` such poses, which are not all held. The meshes are kept.
 std::shared_ptr<const PoseSource> random_pose_source(const CaseMesh& a, const Mesh& b,
                                                      std::size_t count, std::uint64_t seed);
 std::shared_ptr<const PoseSource> grazing_pose_source(const CaseMesh& a, const Mesh& b,
                                                       std::size_t count, std::uint64_t seed);
 
-/// Make such poses for shapes of all kinds, to whose bounds in their own frames all of that
+/// Return such sources for shapes of all kinds, to whose bounds in their own frames all of that
 /// applies. A half-space or a plane, which has no bounds, counts as a piece as large as the other,
 /// about the point nearest to the origin of its frame. Touching is what intersects() of shapes
 /// says.

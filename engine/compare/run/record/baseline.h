@@ -33,7 +33,7 @@ struct EngineChange {
   std::size_t right_to_wrong = 0;
   std::size_t wrong_to_right = 0;
   std::size_t wrong_to_wrong = 0;
-  /// By what factor it took longer: the median over what both have, so that neither the first
+  /// How many times as long it took: the median over what both have, so that neither the first
   /// answer, which builds what others find, nor one slow moment decides.
   double time_ratio = 1;
 };

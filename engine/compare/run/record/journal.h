@@ -53,7 +53,7 @@ struct JournalHead {
   std::string kind;                ///< the first key of the file: "graze_comparison"
   std::string unit;                ///< what its places are: "poses"
   std::string key;                 ///< the SHA-256 of all that is asked
-  std::vector<JournalPart> parts;  ///< the parts of that one by one, to say what differs
+  std::vector<JournalPart> parts;  ///< all that is asked, part by part, to say what differs
   std::size_t places = 0;          ///< the places of the whole job
   JobPart part = {};               ///< the part of the job that this record has
   std::vector<JournalEngine> engines = {};
