@@ -38,11 +38,12 @@ struct VolumeFit {
   double volume;   ///< m^3
   double surface;  ///< m^2
   /// The empty share of the volume if the mesh is closed: (volume - enclosed volume) / volume, from
-  /// 0 for a perfect fit to 1. Nothing if the mesh is open, or where either volume is 0 or
-  /// overflows.
+  /// 0 for a perfect fit to 1. Nothing if the mesh is open, if the volume is 0, or if
+  /// either overflows.
   std::optional<double> empty_share;
-  std::optional<double> relative_volume;  ///< the volume as a share of that of an open mesh's
-                                          ///< bounds
+  /// If the mesh is open, the volume divided by that of the mesh's bounds; nothing if it is closed,
+  /// if that of the bounds is 0, or if either overflows.
+  std::optional<double> relative_volume;
 
   bool operator==(const VolumeFit&) const = default;
 };

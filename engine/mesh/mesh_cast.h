@@ -42,9 +42,10 @@ struct MeshCast {
 /// does not meet it.
 ///
 /// A cast takes O(log n) for compact meshes that are apart at t = 0, and else what
-/// find_triangle_pairs() takes. Once the trees are built, those that this uses too (prepare()), a
-/// cast allocates nothing. Throws InputError for a displacement that is not finite, PoseError as
-/// intersects() does, and where coordinates are so large that sums of them could overflow.
+/// find_triangle_pairs() takes. Once all trees that it uses are built (prepare() with
+/// PreparedFor::All builds them), a cast allocates nothing. Throws InputError for a displacement
+/// that is not finite, PoseError as intersects() does, and where coordinates are so large that sums
+/// of them could overflow.
 std::optional<MeshCast> cast(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b,
                              const Eigen::Vector3d& displacement, const CastSettings& settings = {},
                              Work* work = nullptr);

@@ -22,8 +22,9 @@ struct RayHit {
   Eigen::Vector3d point;   ///< metres, in the world's frame
   Eigen::Vector3d normal;  ///< unit, against the ray: of the surface, or of a triangle on the side
                            ///< that the ray comes from; the ray's own where there is no other
-  std::uint32_t triangle = kNoTriangle;  ///< index into those of a mesh or a height field
-  std::uint16_t material = 0;            ///< the material of that triangle, if it has one
+  std::uint32_t triangle =
+      kNoTriangle;  ///< the number of the triangle of the mesh or height field that was hit
+  std::uint16_t material = 0;  ///< the material of that triangle, if it has one
 
   bool operator==(const RayHit&) const = default;
 };

@@ -51,9 +51,9 @@ struct PairSettings {
   PairVolume volume = PairVolume::WideObb;
   /// The pairs that count.
   Touch touch = Touch::Include;
-  /// The number of threads that share the query at most; 0 means all that there are. A query with a
-  /// limit and one by another volume than WideObb run on one, whatever is allowed: which pairs come
-  /// first is for one thread to say.
+  /// The number of threads that share the query at most; 0 means all that there are. A query that
+  /// has a limit, or that uses another volume than WideObb, runs on one thread, whatever number is
+  /// given here: which pairs come first is for one thread to say.
   int threads = 1;
 };
 

@@ -38,8 +38,8 @@ struct FreedomCertificate {
   bool operator==(const FreedomCertificate&) const = default;
 };
 
-/// Returns the proof for what is_free(), nothing where is_free() says no. It takes 40 bytes a step,
-/// of which there are up to two for each pair of boxes or triangles that is tested.
+/// Returns a proof where is_free() says yes, and nothing where it says no. It takes 40 bytes a
+/// step, of which there are up to two for each pair of boxes or triangles that is tested.
 std::optional<FreedomCertificate> certify_free(const Mesh& mesh_a, const RigidMotion& motion_a,
                                                const Mesh& mesh_b, const RigidMotion& motion_b,
                                                const RigidContactSettings& settings = {},
@@ -49,9 +49,9 @@ std::optional<FreedomCertificate> certify_free(const Mesh& mesh_a, const RigidMo
 /// clearance for every real t from 0 to 1, placed by law 1 in the poses of the motions or in real
 /// arithmetic. It looks at no tree and at nothing that is computed elsewhere: one function in
 /// interval arithmetic (rigid/freedom_check.cpp). Whatever it accepts is so, whoever made it; any
-/// certificate may be refused, and of certify_free()'s those are of motions of many thousand turns,
-/// or of triangles ten thousand million times as large as the tolerance. What is broken in any way
-/// is refused with false; nothing is thrown for it.
+/// certificate may be refused, but of those that certify_free() makes only the ones for motions of
+/// many thousand turns, or for triangles ten thousand million times as large as the tolerance. What
+/// is broken in any way is refused with false; nothing is thrown for it.
 bool proves_freedom(const FreedomCertificate& certificate, const Mesh& mesh_a,
                     const RigidMotion& motion_a, const Mesh& mesh_b, const RigidMotion& motion_b);
 

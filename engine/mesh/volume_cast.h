@@ -29,9 +29,9 @@ struct VolumeCast {
 /// contact; of triangles that are met at one time the lowest counts. To move the mesh instead, give
 /// the opposite displacement: the time is the same.
 ///
-/// The point and the normal are as for two meshes (mesh_cast.h), one the triangle, the other the
-/// two triangles of a face of the box; at t = 0 the point is a corner of the triangle that is in
-/// the box, or one at which the triangle comes out of it.
+/// The point and the normal are as for two meshes (mesh_cast.h), of which one is the triangle and
+/// the other the two triangles of a face of the box; at t = 0 the point is a corner of the triangle
+/// that is in the box, or one at which the triangle comes out of it.
 ///
 /// It takes O(log n) for compact meshes, and allocates nothing once the tree is built. Throws
 /// InputError for a displacement that is not finite and for an invalid box, PoseError as

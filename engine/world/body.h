@@ -53,8 +53,8 @@ class BodyShape {
                                        const Pose& other_pose) const;
 
   /// Returns a lower bound of the distance, metres: as long as the two have come nearer to each
-  /// other by less than that, touches() stays false. It is 0 where nothing is known, or where
-  /// asking touches() again costs less than this does.
+  /// other, since these poses, by less than that, touches() stays false. It is 0 where nothing is
+  /// known, or where asking touches() again costs less than this does.
   virtual double gap(const Pose& pose, const BodyShape& other, const Pose& other_pose) const;
 
   /// Returns where a ray meets the shape first, at most ray.max_distance away. By default it throws

@@ -105,10 +105,10 @@ class BroadPhase {
   /// Appends the indices of all boxes that share a point with `box`, in no particular order.
   void find_overlapping(const Aabb& box, std::vector<std::uint32_t>& indices) const;
 
-  /// Calls `visit` once for each box that the ray meets before the distance that `visit` returned
-  /// last, and perhaps for some that the ray misses by less than 2^-36 of how far they reach from
-  /// its origin. Boxes near the origin come first, roughly. `visit` must not change the boxes.
-  /// Throws as check_ray() does.
+  /// Calls `visit` once for each box that the ray meets before ray.max_distance at first, and
+  /// then before the distance that `visit` returned last, and perhaps for some that the ray misses
+  /// by less than 2^-36 of how far they reach from its origin. Boxes near the origin come first,
+  /// roughly. `visit` must not change the boxes. Throws as check_ray() does.
   void visit_along(const Ray& ray, const RayBoxVisitor& visit) const;
 
   /// Returns what updates have done since the beginning.

@@ -93,8 +93,8 @@ class HeightField {
   /// Returns the smallest box around all triangles, metres, exactly.
   const Aabb& bounds() const;
 
-  /// Returns how many bytes the field takes. Copies share them, and fields made by with_heights()
-  /// share most of them.
+  /// Returns how many bytes the field takes. Copies share all of them, and fields made by
+  /// with_heights() those of the tiles that they have in common.
   std::size_t bytes() const;
 
   /// Returns the mesh of the field: all vertices in the order of their numbers, and all triangles

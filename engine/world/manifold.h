@@ -155,12 +155,12 @@ inline Manifold& Manifold::operator=(Manifold&& other) noexcept {
 /// point_a - point_b is depth times normal, to the same tolerance. Where one point of each meets,
 /// the two are where the shapes touch once they are parted: to 2^-17 of the smaller one's size and
 /// 2^-30 of the scale, or 2^-16 of the scale if one is a sphere or a capsule; but no better than
-/// the depth is the least, which for a box and a box or a mesh is a twentieth of it, and not at all
-/// if Work::penetration_failures counts the pair. For two meshes, up to the depths of law 15, one
-/// of the points is on its surface, to 1e-9 of the scale; the other is as near to the plane of a
-/// face there, or across the normal where a corner or an edge is left: it lies beside its surface
-/// where that is curved, and where faces lie in each other but for rounding as far as the first
-/// body reaches. For deeper contacts, and for a hit that a search left open
+/// the depth is known to be the least, which for a box and a box or a mesh is to a twentieth of it,
+/// and not at all if Work::penetration_failures counts the pair. For two meshes, up to the depths
+/// of law 15, one of the points is on its surface, to 1e-9 of the scale; the other is as near to
+/// the plane of a face there, or across the normal where a corner or an edge is left: it lies
+/// beside its surface where that is curved, and where faces lie in each other but for rounding as
+/// far as the first body reaches. For deeper contacts, and for a hit that a search left open
 /// (PairStatus::NotConverged), no surface is promised.
 ///
 /// Of all contacts that a region offers four remain: the deepest, and those that are far from all

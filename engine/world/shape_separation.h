@@ -16,7 +16,8 @@ struct ShapeSeparation {
   Eigen::Vector3d point_b;  ///< the point of B nearest to A, or deepest in A
   Eigen::Vector3d normal;   ///< unit, from A to B: moving B by minus a negative distance along it
                             ///< parts the two, but for the tolerance of depths (manifold.h)
-  PairStatus status;        ///< whether the distance is proved or, of a depth, that it is the least
+  PairStatus status;  ///< whether the distance is proved or, if it is negative, whether the depth
+                      ///< is proved to be the least
 
   bool operator==(const ShapeSeparation&) const = default;
 };

@@ -244,9 +244,10 @@ class World {
   /// or not, in ascending order, without bodies that were removed since.
   std::vector<BodyPair> near_pairs() const;
 
-  /// Return the pairs of either kind that one body belongs to, and the bodies that it touched at
-  /// the last update, in ascending order. While changes wait for an update they cost O(all pairs),
-  /// and else only the work for the bodies around this one.
+  /// Return the pairs of either kind at the last update that one body belongs to, and the bodies
+  /// that it touched then, in ascending order, without bodies that were removed since. While
+  /// changes wait for an update they cost O(all pairs), and else only the work for the bodies
+  /// around this one.
   std::vector<BodyPair> pairs(BodyId id) const;
   std::vector<BodyPair> near_pairs(BodyId id) const;
   std::vector<BodyId> touching(BodyId id) const;
@@ -299,8 +300,9 @@ class World {
   std::vector<WorldBodyPair> find_touching(const PlacedWorldView& other,
                                            const WorldPairSettings& settings = {}) const;
 
-  /// Returns the pairs of the two worlds whose distance() is at most the clearance, metres, in
-  /// ascending order. Throws as find_within() of one shape does.
+  /// Returns the pairs of the two worlds whose distance() is at most the clearance, metres, with
+  /// all bodies as they are now, as in find_touching() of two worlds, and in ascending order.
+  /// Throws as find_within() of one shape does.
   std::vector<BodyPairDistance> find_within(const PlacedWorldView& other, double clearance,
                                             const WorldPairSettings& settings = {}) const;
 
@@ -309,9 +311,10 @@ class World {
   std::optional<BodyPairDistance> find_closest(const PlacedWorldView& other,
                                                const WorldPairSettings& settings = {}) const;
 
-  /// Returns the pair of bodies of this world whose distance() is least, among those that may meet:
-  /// by kinds, filters, exclusions, and the user's own filter, which is asked about each pair that
-  /// is looked at and must not change the world. A is the body with the smaller index.
+  /// Returns the pair of bodies of this world whose distance() is least, the first of equals, among
+  /// those that may meet, or nothing if there is none: by kinds, filters, exclusions, and the
+  /// user's own filter, which is asked about each pair that is looked at and must not change the
+  /// world. A is the body with the smaller index.
   std::optional<BodyPairDistance> find_closest_pair(const WorldPairSettings& settings = {}) const;
 
   /// Returns the body that a ray meets first, by cast_ray() of its shape in its pose now; of equal

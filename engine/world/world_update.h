@@ -34,10 +34,10 @@ struct BodyFirstContact {
   /// it is Close from 0 on and out of budget.
   RigidContact contact;
   /// True if they touch at 0: then `low` is 0, and a solver needs only the contacts of the last
-  /// update. A convex body that is no further than the tolerance at 0 from a mesh that does not
-  /// turn is listed with it once more, with the first triangle that it comes to after that and does
-  /// not slide along (WorldSettings::sliding_depth), such as a wall for a body that lies on the
-  /// floor beside it. Two meshes, or two convex bodies, that are so near are not listed again.
+  /// update. A convex body that at time 0 is no further than the tolerance from a mesh that does
+  /// not turn is listed with it once more, with the first triangle that it comes to after that and
+  /// does not slide along (WorldSettings::sliding_depth), such as a wall for a body that lies on
+  /// the floor beside it. Two meshes, or two convex bodies, that are so near are not listed again.
   bool is_at_start;
   /// The normal at `low`, unit, from pair.a to pair.b; zero where nothing tells it: for two
   /// half-spaces and for shapes of a user's own.

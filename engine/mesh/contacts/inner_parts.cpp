@@ -250,7 +250,8 @@ class Search {
       add_shore(node, to, region_of[node]);
   }
 
-  /// Adds an end of an edge, if no node lies between this one and the corner.
+  /// Adds the corner at the end of an edge unless it is a node itself. No node may lie between this
+  /// one and the corner.
   void add_shore(std::uint32_t node, std::uint32_t corner, std::size_t region) {
     if (!nodes_.at_corner(corner).empty()) return;
     const SurfaceSide side =

@@ -84,7 +84,7 @@ struct Mesh::Data {
   std::shared_ptr<const bvh::WideStock> wide_to_inherit() const;
 };
 
-/// The way to the data that the handles share, for the sources of this folder.
+/// The way to the data that the handles share, for the sources of engine/mesh.
 struct MeshAccess {
   static const Mesh::Data& data(const Mesh& mesh) { return *mesh.data_; }
   static std::shared_ptr<Mesh::Data> new_data() { return std::make_shared<Mesh::Data>(); }

@@ -1,7 +1,8 @@
 // This counts crossings of placed triangles, in the frame of the question. A triangle that crosses
 // the moved line for every small e meets, closed as it is, the line through the point itself, and
 // on the same side: so nodes that are apart from that ray by law 5's slack hold none. The ray is
-// handed to relative_frame() as a flat box, of which that bounds what placed triangles meet.
+// handed to relative_frame() as a flat box, for which that function bounds which placed triangles
+// meet it.
 
 #include <graze/bvh/skins/node_separation.h>
 #include <graze/engine/mesh/data/mesh_trees.h>

@@ -121,7 +121,7 @@ class PairCache {
   double translation_[3];
   bool is_motion_known_ = false;
   static constexpr int kMostQueries = 1 << 20;
-  int queries_ = 0;  ///< queries since the last set_poses(), at most kMostQueries
+  int queries_ = 0;  ///< queries since the last add_motion(), at most kMostQueries
 
   std::array<TrianglePair, kMostPairs> pairs_{};  ///< pairs that touched, the last one that did
                                                   ///< first

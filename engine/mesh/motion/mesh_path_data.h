@@ -7,7 +7,7 @@
 
 namespace graze {
 
-/// Return the bits of what a triangle owns: corner k, and the edge from corner k to the next.
+/// Return the bits of what a triangle represents: corner k, and the edge from corner k to the next.
 constexpr std::uint8_t corner_bit(std::uint32_t k) {
   return static_cast<std::uint8_t>(1u << k);
 }

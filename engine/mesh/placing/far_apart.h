@@ -12,7 +12,7 @@ namespace graze {
 
 struct MeshBall {
   double centre[3];  ///< the middle of the mesh's bounds
-  double radius;     ///< the largest distance of a vertex from there; infinite where that could
+  double radius;     ///< no vertex is further than this from there; infinite where that could
                      ///< overflow
   double sizes;      ///< sum of the magnitudes of the bounds' coordinates
 };

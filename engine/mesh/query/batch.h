@@ -54,7 +54,7 @@ class BatchRun {
   const std::thread::id caller_ = std::this_thread::get_id();
   const std::uint64_t users_word_;  ///< the control word of the caller, for what is called back
   std::atomic<std::size_t> done_ = 0;
-  /// The following belong to the caller's thread alone.
+  // The members below belong to the caller's thread alone.
   std::size_t step_ = 1;
   Clock::time_point looked_;
   Clock::time_point told_;

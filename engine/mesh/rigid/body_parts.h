@@ -24,7 +24,8 @@ struct BodyBox {
   double axes[3][3];  ///< rows
   double half[3];
   double axes_error;  ///< the error along any direction of the extents' own rounding to float
-  double radius;      ///< the largest distance of a point from the axis of the body's motion
+  /// No point is further than this from the axis of the body's motion; 0 if the body does not turn.
+  double radius;
 
   Extent along(const double (&m)[3]) const {
     double projected = axes_error;
@@ -41,7 +42,9 @@ struct BodyBox {
 
 struct BodyTriangle {
   double corners[3][3];
-  double radius;  ///< the largest distance of a corner from the axis of the body's motion
+  /// No corner is further than this from the axis of the body's motion; 0 if the body does not
+  /// turn.
+  double radius;
 
   Extent along(const double (&m)[3]) const {
     double at[3];

@@ -38,14 +38,13 @@ class AxisSearch {
   const PlacedBodies& placed_;
   const BodyBox& box_a_;
   const BodyBox& box_b_;
-  /// Both boxes along the axes of the first.
+  // Both boxes along the axes of the first.
   AlongB rotation_[3];
   AlongB size_[3];
   double offset_[3];
-  bool holds_centre_ = true;  ///< whether A holds the centre of B, or B that of A: then no axis has
-                              ///< them apart
-  /// The axis that is best so far.
-  double gap_;
+  bool holds_centre_ = true;  ///< whether A holds the centre of B: then no axis has them apart
+  // The axis that is best so far.
+  double gap_;        ///< the distance of the boxes along it, or the limit
   double along_ = 0;  ///< the distance of the centres along it
   int i_ = -1;        ///< its axis of A, 0 to 2, or -1 for none
   int j_ = -1;        ///< its axis of B

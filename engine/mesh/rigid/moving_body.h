@@ -24,7 +24,7 @@ struct MovingBody {
   std::span<const bvh::FloatObb> boxes;  ///< one box for each node
   double unit;                           ///< metres for each unit of the tree's
   double turned;                         ///< the size of the angle
-  double radius;                         ///< the largest distance of a vertex from the axis, metres
+  double radius;                         ///< no vertex is further than this from the axis, metres
   double rounding;  ///< the rounding of all that is computed of a placed vertex, metres, along any
                     ///< direction
 

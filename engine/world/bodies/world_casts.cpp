@@ -15,7 +15,7 @@
 
 namespace graze {
 
-/// A shape in motion, and the bodies that it is asked about. It refers to settings that outlive it.
+/// A shape in motion, and the bodies that it is asked about. All that it refers to must outlive it.
 struct CastQuery {
   MovingShape moving;
   const RigidContactSettings& contact;  ///< checked

@@ -40,7 +40,7 @@ struct Bodies {
     Detection detection = Detection::Discrete;
     bool is_awake = true;
     bool is_users = false;   ///< whether a user wrote the shape's class
-    bool has_parts = false;  ///< whether the shape is one of several parts
+    bool has_parts = false;  ///< whether the shape has parts (PartsBody)
     /// Returns `question(shape)`, computed in the floating-point settings of the shape's author.
     template <typename Question>
     auto ask(const Question& question) const {

@@ -38,8 +38,8 @@ class CompoundBody final : public PartsBody {
   /// broad phase.
   std::vector<Aabb> few_boxes_;        ///< by place
   std::unique_ptr<BroadPhase> boxes_;  ///< by place
-  /// A tree over the boxes of many parts, without room. It is built when the nearest part is first
-  /// asked for.
+  // A tree over the boxes of many parts, without room. It is built when the nearest part is first
+  // asked for.
   mutable std::once_flag tree_flag_;
   mutable std::unique_ptr<const PartTree> tree_;
 };

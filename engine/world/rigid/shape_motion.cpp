@@ -131,7 +131,7 @@ RigidContact contact_of_field(const MovingShape& a, const MovingShape& b,
   return first_contact(by_a.shape(), a.motion, by_b.shape(), b.motion, settings, &work);
 }
 
-/// Returns the earlier of two contacts, either of which may come first.
+/// Returns the earlier of the contacts with two parts, either of which may be met first.
 RigidContact earlier(const RigidContact& s, const RigidContact& t) {
   if (s.status == RigidStatus::Free) return t;
   if (t.status == RigidStatus::Free) return s;

@@ -6,7 +6,7 @@
 
 namespace graze {
 
-/// One shape of a pair, and the greatest distance of its points from its frame's origin.
+/// One shape of a pair, and a length than which no point of it is farther from its frame's origin.
 struct BoundedShape {
   const Shape& shape;
   const Pose& pose;
