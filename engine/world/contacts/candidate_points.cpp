@@ -38,18 +38,6 @@ Parting parting_of(const TouchedTriangle& member) {
   return parting;
 }
 
-Core segment(const Vec3& from, const Vec3& to) {
-  Core core;
-  core.kind = narrowphase::CoreKind::Segment;
-  core.at = (from + to) * 0.5;
-  core.axis[2] = unit_or(to - from, {0, 0, 1});
-  core.axis[0] = any_normal_to(core.axis[2]);
-  core.axis[1] = cross(core.axis[2], core.axis[0]);
-  core.half = {0, 0, 0.5 * length(to - from)};
-  core.bounding_radius = core.half.z;
-  return core;
-}
-
 // Points of a shape beside its deepest one have feature numbers from this on.
 constexpr std::uint64_t kBesideFeature = 0x30010;
 
@@ -87,6 +75,18 @@ void add_point(const Vec3& on_mesh, const Parting& parting, std::vector<ContactP
 }
 
 }  // namespace
+
+Core edge_core(const Vec3& from, const Vec3& to) {
+  Core core;
+  core.kind = narrowphase::CoreKind::Segment;
+  core.at = (from + to) * 0.5;
+  core.axis[2] = unit_or(to - from, {0, 0, 1});
+  core.axis[0] = any_normal_to(core.axis[2]);
+  core.axis[1] = cross(core.axis[2], core.axis[0]);
+  core.half = {0, 0, 0.5 * length(to - from)};
+  core.bounding_radius = core.half.z;
+  return core;
+}
 
 /// Adds the contacts of the shape's face and a triangle. Depths are the distances of their points,
 /// which over faces that are only nearly at right angles to the exit may be more than the exit
@@ -129,7 +129,7 @@ void TriangleCandidates::add_member(const TouchedTriangle& member) {
     case LeftFeature::Edge: {
       const std::uint32_t s = features_.vertex(index, k), t = features_.vertex(index, next);
       if (is_held(s) && is_held(t)) return;
-      add_contact_points(bare(), segment(member.triangle.corner[k], member.triangle.corner[next]),
+      add_contact_points(bare(), edge_core(member.triangle.corner[k], member.triangle.corner[next]),
                          bare(parting), candidates_.found, candidates_.margin);
       // Beyond the end of this edge the body leaves another one.
       std::erase_if(candidates_.found, [&](const ContactPoint& touch) {
@@ -240,8 +240,10 @@ void TriangleCandidates::add_apart(const Vec3& on_shape, const Vec3& on_mesh, co
 }
 
 /// Adds a point of the mesh and the point where the shape ends before it along the normal. Returns
-/// false if the line misses the shape, or ends more than the margin behind the point.
+/// false if the line misses the shape, or ends more than the margin behind the point. The faces of
+/// a mesh's vertices are not known: nobody can say where a line through these ends.
 bool TriangleCandidates::add_before(const Vec3& on_mesh, const Vec3& normal) {
+  if (core_.kind == narrowphase::CoreKind::Points && core_.hull == nullptr) return false;
   const double beyond = dot(rounded_support(core_, normal) - on_mesh, normal);
   const Vec3 origin = on_mesh + normal * (beyond + core_.bounding_radius + core_.radius);
   const std::optional<narrowphase::CoreRayHit> hit = cast_ray(bare(), origin, -normal);
@@ -262,6 +264,10 @@ void TriangleCandidates::add_beside(const TouchedTriangle& member) {
   const Vec3& out = parting.penetration.normal;
   const Vec3 deepest = rounded_support(core_, out);
   candidates_.found.clear();
+  if (core_.kind == narrowphase::CoreKind::Points && core_.hull == nullptr) {
+    add_point(deepest - out * parting.penetration.depth, parting, candidates_.found);
+    return take(face_feature(member.parting.triangle));
+  }
   const narrowphase::CoreGap shared = narrowphase::nearest(core_, member.triangle);
   // Which of several points is deepest may depend on rounding.
   std::uint64_t which = kBesideFeature + (place_on(core_, deepest) << 32);

@@ -2,6 +2,7 @@
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/bvh/value/number_text.h>
 #include <graze/engine/world/contact_tracker.h>
+#include <graze/engine/world/contacts/few_or_many.h>
 
 #include <algorithm>
 #include <cmath>
@@ -25,16 +26,17 @@ struct TrackedContact {
 /// The contacts of one manifold: of two bodies, or of two parts of them.
 struct TrackedManifold {
   std::pair<std::uint32_t, std::uint32_t> parts;
-  std::vector<TrackedContact> contacts;
+  FewOrMany<TrackedContact, Manifold::kMostOfRegion> contacts;
 };
 
 /// A pair as it was when it was last listed.
 struct TrackedPair {
+  BodyPair pair;
   const BodyShape* shape_a = nullptr;
   const BodyShape* shape_b = nullptr;
   double size = 0;  ///< of the smaller body, metres
   Pose pose_a = Pose::Identity(), pose_b = Pose::Identity();
-  std::vector<TrackedManifold> manifolds;  ///< ascending by parts
+  FewOrMany<TrackedManifold, 1> manifolds;  ///< ascending by parts
 };
 
 /// A pair of an old and a new contact that may be one, and how far they are apart.
@@ -46,10 +48,11 @@ struct TrackedMatch {
 
 /// What the bodies of a pair did since it was last listed.
 struct PairCourse {
-  Pose a, b;              ///< where they are now
-  double size = 0;        ///< of the smaller body, metres
-  double same_place = 0;  ///< metres
-  double moved = 0;       ///< how far points of the two moved, metres: the farthest that is known
+  Pose a, b;                ///< where they are now
+  double size = 0;          ///< of the smaller body, metres
+  double same_place = 0;    ///< metres
+  double moved = 0;         ///< how far points of the two moved, metres: the farthest that is known
+  double least_cosine = 1;  ///< by which a normal may turn
 };
 
 namespace {
@@ -64,14 +67,14 @@ double diagonal_of(const BodyShape& shape) {
 
 constexpr double kDegree = std::numbers::pi / 180;
 
-/// Whether a normal that turned this far may belong to the same contact, where bodies of such a
-/// size moved by so much.
-bool may_turn(double cosine, double moved, double size) {
+/// Returns the least cosine by which a normal may turn, where bodies of such a size moved by so
+/// much.
+double least_cosine(double moved, double size) {
   constexpr double kFine = 1e-4;       // of the size: until there a degree is allowed
   constexpr double kMost = 30;         // degrees
   constexpr double kRounding = 1e-12;  // of a cosine; a degree takes 1.5e-4 from it
-  if (moved <= kFine * size) return cosine >= std::cos(kDegree) + kRounding;
-  return cosine >= std::cos(std::min(moved / (kFine * size), kMost) * kDegree) + kRounding;
+  if (moved <= kFine * size) return std::cos(kDegree) + kRounding;
+  return std::cos(std::min(moved / (kFine * size), kMost) * kDegree) + kRounding;
 }
 
 /// Whether law 15 lets `now` go on what `old` was.
@@ -79,7 +82,7 @@ bool may_go_on(const TrackedContact& old, const TrackedContact& now, const PairC
   constexpr double kTolerance = 1e-6;  // of the size, as the law has it
   const double change = std::abs(now.depth - old.depth);
   if (!(change <= 2 * course.moved + kTolerance * course.size)) return false;
-  return may_turn(old.normal.dot(now.normal), course.moved, course.size);
+  return old.normal.dot(now.normal) >= course.least_cosine;
 }
 
 /// How far the farthest of the contacts' points moved with its body. They are points of the bodies,
@@ -126,16 +129,24 @@ void check_settings(const ContactTrackerSettings& settings) {
 
 struct ContactTracker::State {
   ContactTrackerSettings settings;
-  std::unordered_map<BodyPair, TrackedPair> pairs;
+  std::vector<TrackedPair> pairs;                       ///< all pairs, and free places
+  std::vector<std::uint32_t> free;                      ///< the free places
+  std::unordered_map<BodyPair, std::uint32_t> numbers;  ///< the places in `pairs`
+  /// The pairs that the last update listed, in its order, which ascends, and those of this one.
+  /// Most pairs that are listed were listed before, and are found by going along `listed`.
+  std::vector<std::uint32_t> listed, listing;
+  std::size_t at = 0;  ///< in `listed`
   std::uint64_t last_id = 0;
   std::vector<std::uint64_t> ids;        ///< of all contacts of the last update
   std::vector<std::size_t> begins{0};    ///< of each manifold, in `ids`, and their end
-  std::vector<TrackedManifold> now;      ///< of a pair
+  FewOrMany<TrackedManifold, 1> now;     ///< of a pair
   std::vector<TrackedContact> contacts;  ///< of a manifold
   std::vector<TrackedMatch> matches;
   std::vector<std::uint8_t> has_gone_on;  ///< of old contacts
 
   void drop_ended(const WorldUpdate& update);
+  void forget(const BodyPair& pair);
+  std::uint32_t number_of(const BodyPair& pair);
   void take_pair(const World& world, std::span<const BodyContact> manifolds);
   void take_manifolds(std::span<const BodyContact> manifolds, TrackedPair& pair,
                       const PairCourse& course);
@@ -157,12 +168,43 @@ ContactTracker& ContactTracker::operator=(ContactTracker&&) noexcept = default;
 /// that no longer touches may still be within its margin: then it is listed.
 void ContactTracker::State::drop_ended(const WorldUpdate& update) {
   for (const std::span<const BodyPair> list : {update.ended, update.ended_near, update.moved}) {
-    auto at = update.contacts.begin();
+    auto next = update.contacts.begin();
+    const auto end = update.contacts.end();
     for (const BodyPair& pair : list) {
-      at = std::ranges::lower_bound(at, update.contacts.end(), pair, {}, &BodyContact::pair);
-      if (at == update.contacts.end() || at->pair != pair) pairs.erase(pair);
+      // The pair is mostly the next one.
+      if (next != end && next->pair < pair) ++next;
+      if (next != end && next->pair < pair)
+        next = std::ranges::lower_bound(next, end, pair, {}, &BodyContact::pair);
+      if (next == end || next->pair != pair) forget(pair);
     }
   }
+}
+
+void ContactTracker::State::forget(const BodyPair& pair) {
+  const auto found = numbers.find(pair);
+  if (found == numbers.end()) return;
+  const std::uint32_t number = found->second;
+  numbers.erase(found);
+  pairs[number] = {};
+  pairs[number].pair = pair;  // `listed` ascends
+  free.push_back(number);
+}
+
+/// Returns the place of a pair, a new one for a new pair. Within an update pairs must be asked for
+/// in ascending order.
+std::uint32_t ContactTracker::State::number_of(const BodyPair& pair) {
+  while (at < listed.size() && pairs[listed[at]].pair < pair)
+    ++at;
+  if (at < listed.size() && pairs[listed[at]].pair == pair) return listed[at++];
+  if (free.empty()) {
+    pairs.emplace_back();
+    free.push_back(static_cast<std::uint32_t>(pairs.size() - 1));
+  }
+  const auto [found, is_new] = numbers.try_emplace(pair, free.back());
+  if (!is_new) return found->second;
+  free.pop_back();
+  pairs[found->second].pair = pair;
+  return found->second;
 }
 
 /// Gives numbers to `contacts`: those of old ones that go on, and new ones.
@@ -205,33 +247,44 @@ void ContactTracker::State::take_manifold(const Manifold& found, const TrackedPa
                         .normal = contact.normal,
                         .depth = contact.depth});
   }
-  for (const std::span<const TrackedContact> list : {std::span<const TrackedContact>(kept.contacts),
-                                                     std::span<const TrackedContact>(contacts)}) {
+  const std::span<const TrackedContact> old = kept.contacts.all();
+  for (const std::span<const TrackedContact> list :
+       {old, std::span<const TrackedContact>(contacts)}) {
     course.moved = std::max(
         {course.moved, farthest_moved(list, pair.pose_a, course.a, &TrackedContact::point_a),
          farthest_moved(list, pair.pose_b, course.b, &TrackedContact::point_b)});
   }
-  match(kept.contacts, course);
+  course.least_cosine = least_cosine(course.moved, course.size);
+  match(old, course);
   for (const TrackedContact& contact : contacts)
     ids.push_back(contact.id);
   begins.push_back(ids.size());
-  std::swap(kept.contacts, contacts);
+  kept.contacts.assign(contacts);
 }
 
 /// Of compounds there is a manifold for each two parts that meet; old and new ones ascend by parts.
 void ContactTracker::State::take_manifolds(std::span<const BodyContact> manifolds,
                                            TrackedPair& pair, const PairCourse& course) {
-  now.clear();
-  auto old = pair.manifolds.begin();
-  for (const BodyContact& each : manifolds) {
-    const std::pair parts(each.manifold.part_a(), each.manifold.part_b());
-    while (old != pair.manifolds.end() && old->parts < parts)
-      ++old;
-    const bool was_there = old != pair.manifolds.end() && old->parts == parts;
-    now.push_back(was_there ? std::move(*old++) : TrackedManifold{.parts = parts, .contacts = {}});
-    take_manifold(each.manifold, pair, now.back(), course);
+  const std::span<TrackedManifold> before = pair.manifolds.all();
+  const auto parts_of = [](const BodyContact& each) {
+    return std::pair(each.manifold.part_a(), each.manifold.part_b());
+  };
+  if (manifolds.size() == 1 && before.size() == 1 && before[0].parts == parts_of(manifolds[0])) {
+    take_manifold(manifolds[0].manifold, pair, before[0], course);
+  } else {
+    now.clear();
+    auto old = before.begin();
+    for (const BodyContact& each : manifolds) {
+      const std::pair parts = parts_of(each);
+      while (old != before.end() && old->parts < parts)
+        ++old;
+      const bool was_there = old != before.end() && old->parts == parts;
+      now.push_back(was_there ? std::move(*old++)
+                              : TrackedManifold{.parts = parts, .contacts = {}});
+      take_manifold(each.manifold, pair, now.back(), course);
+    }
+    std::swap(pair.manifolds, now);
   }
-  std::swap(pair.manifolds, now);
   pair.pose_a = course.a;
   pair.pose_b = course.b;
 }
@@ -241,7 +294,8 @@ void ContactTracker::State::take_pair(const World& world, std::span<const BodyCo
   const BodyShape& shape_a = world.shape(ids_of_pair.a);
   const BodyShape& shape_b = world.shape(ids_of_pair.b);
   PairCourse course{.a = world.pose(ids_of_pair.a), .b = world.pose(ids_of_pair.b)};
-  TrackedPair& pair = pairs[ids_of_pair];
+  const std::uint32_t number = number_of(ids_of_pair);
+  TrackedPair& pair = pairs[number];
   try {
     if (pair.shape_a != &shape_a || pair.shape_b != &shape_b) {
       pair.size = std::min(diagonal_of(shape_a), diagonal_of(shape_b));
@@ -250,8 +304,9 @@ void ContactTracker::State::take_pair(const World& world, std::span<const BodyCo
     course.size = pair.size;
     course.same_place = settings.same_place * pair.size;
     take_manifolds(manifolds, pair, course);
+    listing.push_back(number);
   } catch (...) {
-    pairs.erase(ids_of_pair);
+    forget(ids_of_pair);
     throw;
   }
 }
@@ -262,6 +317,8 @@ void ContactTracker::take(const World& world, const WorldUpdate& update) {
     state.ids.clear();
     state.begins.resize(1);
     state.drop_ended(update);
+    state.listing.clear();
+    state.at = 0;
     const std::span<const BodyContact> all = update.contacts;
     try {
       for (std::size_t begin = 0; begin < all.size();) {
@@ -271,7 +328,9 @@ void ContactTracker::take(const World& world, const WorldUpdate& update) {
         state.take_pair(world, all.subspan(begin, end - begin));
         begin = end;
       }
+      std::swap(state.listed, state.listing);
     } catch (...) {
+      state.listed.clear();
       state.begins.resize(1);
       throw;
     }
@@ -280,6 +339,9 @@ void ContactTracker::take(const World& world, const WorldUpdate& update) {
 
 void ContactTracker::clear() {
   state_->pairs.clear();
+  state_->free.clear();
+  state_->numbers.clear();
+  state_->listed.clear();
   state_->ids.clear();
   state_->begins.resize(1);
 }
@@ -295,8 +357,8 @@ std::span<const std::uint64_t> ContactTracker::ids(std::size_t index) const {
 
 std::size_t ContactTracker::size() const {
   std::size_t count = 0;
-  for (const auto& [ids, pair] : state_->pairs) {
-    for (const TrackedManifold& each : pair.manifolds)
+  for (const TrackedPair& pair : state_->pairs) {
+    for (const TrackedManifold& each : pair.manifolds.all())
       count += each.contacts.size();
   }
   return count;

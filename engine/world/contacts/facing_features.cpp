@@ -139,6 +139,10 @@ std::optional<std::uint32_t> FacingFeatures::neighbour(std::uint32_t s, std::uin
   return std::nullopt;
 }
 
+std::optional<std::uint32_t> FacingFeatures::across(std::uint32_t index, int k) const {
+  return neighbour(vertex(index, k), vertex(index, (k + 1) % 3), index);
+}
+
 std::span<const std::uint32_t> FacingFeatures::fan(std::uint32_t vertex) const {
   return fans_.around(vertex);
 }

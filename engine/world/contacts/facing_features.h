@@ -47,6 +47,10 @@ class FacingFeatures {
   std::optional<std::uint32_t> flat_triangle(std::uint32_t index, const narrowphase::Core& triangle,
                                              const narrowphase::Vec3& point) const;
 
+  /// Returns the triangle beyond the edge from corner k to the next; nothing where the surface
+  /// ends.
+  std::optional<std::uint32_t> across(std::uint32_t index, int k) const;
+
   /// Returns a triangle in the form that the solvers take.
   narrowphase::Core placed_triangle(std::uint32_t index) const;
 

@@ -125,6 +125,10 @@ void TriangleCandidates::offer(std::uint32_t index, const Core& triangle) {
   s_.touched.push_back({parting, triangle, rank, 0, 0});
 }
 
+void TriangleCandidates::offer(const LocalParting& parting, const Core& triangle) {
+  s_.touched.push_back({parting, triangle, parting.exit.depth, 0, 0});
+}
+
 /// True if the shape has a polygon that faces a triangle of that normal. The last answer is kept,
 /// because successive triangles mostly have one normal.
 bool TriangleCandidates::lies_on(const Vec3& normal) {
@@ -199,8 +203,16 @@ void TriangleCandidates::add_region(std::span<TouchedTriangle> members) {
   const bool is_of_face = most >= 0 && face_along(core_, -speaker.parting.exit.direction).count > 2;
   const std::uint64_t part_of_deepest =
       is_of_face ? narrowphase::kDeepestOfFace : narrowphase::kPointFeature;
-  // The corners of a face, above all of a round one, may leave out the deepest point itself.
-  if (most < least && !add_deepest(speaker, part_of_deepest)) {
+  // The corners of a face, above all of a round one, may leave out the deepest point itself. Over a
+  // flat face that has hollows the walk to it from one triangle may end where that from another
+  // does not.
+  const auto add_deepest_of_any = [&] {
+    if (add_deepest(speaker, part_of_deepest)) return true;
+    return std::any_of(members.begin(), members.end(), [&](const TouchedTriangle& member) {
+      return add_deepest(member, part_of_deepest);
+    });
+  };
+  if (most < least && !add_deepest_of_any()) {
     add_nearest(speaker);
     if (most >= 0 || candidates_.list.size() == before)
       add_over_rim(members, most, part_of_deepest);

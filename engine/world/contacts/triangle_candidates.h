@@ -13,6 +13,9 @@
 
 namespace graze {
 
+/// Returns an edge in the form that the solvers take.
+narrowphase::Core edge_core(const narrowphase::Vec3& from, const narrowphase::Vec3& to);
+
 /// The candidates from the triangles of a mesh that the shape touches. First each triangle is
 /// added, then finish() finds the regions and their contacts. Slivers count only where nothing else
 /// is touched; each is parted from the shape along the shortest way.
@@ -26,6 +29,8 @@ class TriangleCandidates {
   void add(std::uint32_t index, const narrowphase::Core& triangle);
   /// Adds a triangle that the shape touches.
   void offer(std::uint32_t index, const narrowphase::Core& triangle);
+  /// Adds a triangle that it touches, and that is no sliver, with the exit by which it is left.
+  void offer(const LocalParting& parting, const narrowphase::Core& triangle);
 
   bool has_touched() const { return !s_.touched.empty() || !s_.slivers.empty(); }
 

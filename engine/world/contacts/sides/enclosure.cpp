@@ -28,6 +28,11 @@ namespace {
 // Lengths below this share of the body's size or of the scale count as 0.
 constexpr double kNegligible = 1e-9;
 
+// A body that has left by a feature touches it, to this share of the body's size. An exit along the
+// arc of an edge is the least to a millionth or so, and the place where the body touches then is as
+// far aside as the root of that.
+constexpr double kMeeting = 1e-3;
+
 void refuse(const Mesh& mesh, const TriangleEdge& edge, const std::string& why) {
   const TriangleIndices& triangle = mesh.triangles()[edge.triangle];
   const auto corner = [&](int k) {
@@ -125,36 +130,84 @@ Core Enclosure::core(const Eigen::Vector3d& origin, std::vector<Vec3>& points) c
 /// Finds the exits through triangles.
 class Enclosure::Exits {
  public:
-  Exits(const Core& core, const PlacedMeshView& mesh, const Eigen::Vector3d& origin)
+  Exits(const Core& core, const PlacedMeshView& mesh, Sides sides, const Eigen::Vector3d& origin)
       : core_(core),
+        sides_(sides),
         features_(mesh, to_vec3(origin)),
         partings_(core, features_),
         allowance_(kNegligible * (core.bounding_radius + core.radius)) {}
 
-  /// Returns the exit through the triangle, if it leads out there: past a face if the body's last
-  /// point leaves through the face or a flat one next to it.
+  /// Returns the exit through the triangle, if one leads out there: the shortest, or else the one
+  /// through its face. At the end of a face, in a hollow, an edge may name the next face's shorter
+  /// exit, which does not lead out.
   std::optional<narrowphase::Exit> through(std::uint32_t index, const Core& triangle) const {
     if (FacingFeatures::is_sliver(triangle)) return std::nullopt;
     const LocalParting parting = partings_.of(index, triangle);
-    const narrowphase::Exit& exit = parting.exit;
-    if (!(exit.depth > 0)) return std::nullopt;
-    if (parting.feature == LeftFeature::Face) {
-      const Vec3 last = rounded_support(core_, -exit.direction);
-      if (!features_.flat_triangle(index, triangle, last + exit.direction * exit.depth))
-        return std::nullopt;
-    }
-    return exit;
+    if (leads_out(parting, triangle)) return parting.exit;
+    if (parting.feature == LeftFeature::Face) return std::nullopt;
+    const LocalParting past_face = past_face_of(index, triangle);
+    if (leads_out(past_face, triangle)) return past_face.exit;
+    return std::nullopt;
   }
 
-  /// True if the triangle, which is no sliver, is left by the same exit.
-  bool leads(std::uint32_t index, const Core& triangle, const narrowphase::Exit& sought) const {
-    const narrowphase::Exit exit = partings_.of(index, triangle).exit;
+  /// Offers the triangle, which is no sliver, if the body leaves it by that exit.
+  void offer(TriangleCandidates& found, std::uint32_t index, const Core& triangle,
+             const narrowphase::Exit& sought) const {
+    if (is_same(partings_.of(index, triangle).exit, sought)) return found.offer(index, triangle);
+    const LocalParting past_face = past_face_of(index, triangle);
+    if (is_same(past_face.exit, sought)) found.offer(past_face, triangle);
+  }
+
+ private:
+  LocalParting past_face_of(std::uint32_t index, const Core& triangle) const {
+    const Vec3 normal = LocalPartings::normal_of(triangle);
+    const Vec3 last = rounded_support(core_, -normal);
+    return {index, {normal, dot(normal, triangle.corner[0] - last)}};
+  }
+
+  bool is_same(const narrowphase::Exit& exit, const narrowphase::Exit& sought) const {
     return is_one_direction(exit.direction, sought.direction) &&
            std::abs(exit.depth - sought.depth) <= allowance_;
   }
 
- private:
+  /// True if an exit leads out of the solid. Past a face it does if the body's last point leaves
+  /// through that face or a flat one next to it; past an edge that names a face, likewise; past
+  /// another edge or a corner, if the body touches that feature in the end.
+  bool leads_out(const LocalParting& parting, const Core& triangle) const {
+    const narrowphase::Exit& exit = parting.exit;
+    if (!(exit.depth > 0)) return false;
+    const auto leaves = [&](std::uint32_t index, const Core& face) {
+      const Vec3 last = rounded_support(core_, -exit.direction);
+      return features_.flat_triangle(index, face, last + exit.direction * exit.depth).has_value();
+    };
+    if (parting.feature == LeftFeature::Face) return leaves(parting.triangle, triangle);
+    if (parting.feature == LeftFeature::Corner) {
+      narrowphase::Core corner;
+      corner.at = triangle.corner[parting.which];
+      return meets(exit, corner);
+    }
+    const std::optional<std::uint32_t> next = features_.across(parting.triangle, parting.which);
+    if (!next) return true;
+    const Core beyond = features_.placed_triangle(*next);
+    if (FacingFeatures::is_sliver(beyond)) return true;
+    if (is_one_direction(exit.direction, LocalPartings::normal_of(beyond)))
+      return leaves(*next, beyond);
+    const int k = parting.which;
+    return meets(exit, edge_core(triangle.corner[k], triangle.corner[(k + 1) % 3]));
+  }
+
+  /// True if the body, once it has left, touches the feature that it left by, and is not beside it.
+  /// A one-sided surface may end there: how that is left the nearest triangle alone can say.
+  bool meets(const narrowphase::Exit& exit, const Core& feature) const {
+    if (sides_ != Sides::Solid) return true;
+    Core moved = core_;
+    moved.at = moved.at + exit.direction * exit.depth;
+    return gap_of_sets(moved, feature).distance <=
+           kMeeting * (core_.bounding_radius + core_.radius);
+  }
+
   const Core& core_;
+  Sides sides_;
   FacingFeatures features_;
   LocalPartings partings_;
   double allowance_;
@@ -165,7 +218,7 @@ void Enclosure::add(ContactCandidates& candidates) const {
   candidates.origin = middle_of(body_.shape, body_.pose);
   const Core core = this->core(candidates.origin, points);
   MeshDescent descent(mesh_, core, candidates.origin, work_);
-  const Exits exits(core, mesh_, candidates.origin);
+  const Exits exits(core, mesh_, sides_.kind(), candidates.origin);
   narrowphase::Exit best{{0, 0, 1}, std::numeric_limits<double>::infinity()};
   std::uint32_t nearest = 0, leading = 0;
   double nearest_distance = std::numeric_limits<double>::infinity();
@@ -198,7 +251,7 @@ void Enclosure::add(ContactCandidates& candidates) const {
                             [&](std::uint32_t index) {
                               const Core triangle = descent.triangle(index);
                               if (FacingFeatures::is_sliver(triangle)) return bvh::Walk::Continue;
-                              if (exits.leads(index, triangle, best)) found.offer(index, triangle);
+                              exits.offer(found, index, triangle, best);
                               return bvh::Walk::Continue;
                             });
     // An exit that leads past a border may be shorter than the gap to its triangle.

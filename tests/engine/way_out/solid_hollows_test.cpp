@@ -1,0 +1,77 @@
+// Law 15: what is inside a solid mesh with hollows, as stairs are, has a way out, past which it is
+// before the surface. Edges at the ends of a hollow spoke for a face that the body is not behind.
+
+#include <graze/engine/mesh/containment.h>
+#include <graze/engine/world/manifold.h>
+#include <graze/engine/world/shape_pairs.h>
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "tests/engine/way_out/tessellated.h"
+#include "tests/shapes/formula_meshes.h"
+#include "tests/shapes/pose_at.h"
+#include "tests/shapes/random_meshes.h"
+
+namespace graze {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr MeshSides kSolid{.sides = Sides::Solid};
+
+/// Four steps of 0.3 m each way, from x = -0.6, and 0.9 m wide.
+Mesh stairs(int cells, RandomSource& source) {
+  std::vector<tests::Cube> cubes;
+  for (int i = 0; i < 4; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      for (int k = 0; k <= i; ++k)
+        cubes.push_back({i - 2, j - 1, k});
+    }
+  }
+  return tests::surface_of_cubes(cubes, 0.3, cells, source);
+}
+
+/// A body inside; `radius` is of a ball within it.
+struct Inside {
+  Shape body;
+  double radius;
+};
+
+std::vector<Inside> bodies(RandomSource& source) {
+  const double r = source.uniform(0.01, 0.15), s = source.uniform(0.01, 0.05);
+  return {{Sphere{{0, 0, 0}, r}, r},
+          {Box{{r, s, r}}, std::min(r, s)},
+          {tests::tessellated_box({s, r, r}, 2), std::min(r, s)},
+          {tests::make_sphere(r, 8, 16), 0.9 * r}};
+}
+
+TEST(SolidHollows, WhatIsInsideStairsHasAWayOut) {
+  RandomSource source(1534);
+  int inside = 0;
+  for (int n = 0; n < 1000; ++n) {
+    SCOPED_TRACE(n);
+    const Mesh solid = stairs(1 + n % 2, source);
+    for (const Inside& each : bodies(source)) {
+      Pose pose = tests::random_pose(0, source);
+      pose.translation() = Vector3d{source.uniform(-0.6, 0.6), source.uniform(-0.3, 0.6), 0};
+      pose.translation().z() = source.uniform(0, 1.2);
+      if (!contains({solid, Pose::Identity()}, pose.translation())) continue;
+      if (intersects({each.body, pose}, {Shape(solid)})) continue;
+      const Manifold found = find_contacts({each.body, pose}, {Shape(solid)}, {.sides_b = kSolid});
+      ASSERT_FALSE(found.empty());
+      ++inside;
+      // From inside to outside a ball goes by no less than its diameter, and lifted up it is out.
+      ASSERT_GE(found[0].depth, 2 * each.radius);
+      ASSERT_LE(found[0].depth, 1.2);
+      if (each.body.kind() != ShapeKind::Sphere) continue;
+      Pose away = pose;
+      away.translation() -= (found[0].depth + 1e-9) * found[0].normal;
+      ASSERT_FALSE(contains({solid, Pose::Identity()}, away.translation()));
+    }
+  }
+  EXPECT_GT(inside, 500);
+}
+
+}  // namespace
+}  // namespace graze
