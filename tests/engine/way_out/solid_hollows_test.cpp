@@ -18,7 +18,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr MeshSides kSolid{.sides = Sides::Solid};
+constexpr MeshSides kSolid = MeshSides::solid();
 
 /// Four steps of 0.3 m each way, from x = -0.6, and 0.9 m wide.
 Mesh stairs(int cells, RandomSource& source) {
