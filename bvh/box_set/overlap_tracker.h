@@ -33,10 +33,10 @@ class FormerBoxes {
 
 /// A box set, the list of its overlapping pairs, and what the last update changed in that list.
 ///
-/// Boxes change at once, the list with the next update. With few changes the list is edited: a box
-/// that changed is looked up where it was and where it is. The difference is what began and what
-/// ended. With many changes all pairs are searched anew, and what changed is worked out if somebody
-/// asks.
+/// Boxes change soon after they are told, a few at a time, the list with the next update. With few
+/// changes the list is edited: a box that changed is looked up where it was and where it is. The
+/// difference is what began and what ended. With many changes all pairs are searched anew, and what
+/// changed is worked out if somebody asks.
 class OverlapTracker {
  public:
   explicit OverlapTracker(int threads) : set_(threads) {}

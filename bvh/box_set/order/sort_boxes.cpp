@@ -35,7 +35,8 @@ void BoxOrder::prepare_for_search() {
   }
 }
 
-/// Returns the centres of some boxes, from an origin that precision does not ask much of.
+/// Returns the centres of some boxes, relative to the lowest corner of all, which keeps them small
+/// enough for float.
 std::vector<KdItem> BoxOrder::sample_centres(const double* origin) const {
   std::vector<KdItem> sample;
   const std::size_t count = std::min(kSample, store_.proxies.size());

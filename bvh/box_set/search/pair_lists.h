@@ -81,7 +81,7 @@ class PairRows {
   std::vector<std::uint32_t> ends_;
 };
 
-/// The working memory of append_difference().
+/// The working memory of append_changes().
 struct RowsToSort {
   std::vector<BoxPair> left, right;
 };

@@ -108,9 +108,10 @@ class WideFront {
     std::size_t most_added = 0;
   };
 
-  /// Looks at all boxes and leaves that are due. Afterwards no two primitives are `limit` apart or
-  /// nearer but, by Kind::Distance, those of near_pair(), and by Kind::Intersection, whose
-  /// limit is 0, those that surely cross, crossing(), and some of those that may meet, unsure().
+  /// Looks at all boxes and leaves that are due. Afterwards all primitives that are no further
+  /// apart than `limit` are listed: in a front of Kind::Distance by near_pair(), in one of
+  /// Kind::Intersection, whose limit is 0, by crossing() if they surely cross and else by unsure(),
+  /// which may list others, too.
   void update(const Pass& pass, double limit, const Foresight& foresight);
 
   std::size_t crossing_count() const { return state_.crossing.size; }
@@ -248,7 +249,7 @@ class WideFront {
   std::uint64_t skipped_ = 0;
 };
 
-// The kernels are asked by the following.
+// What the kernels are called with.
 
 /// Pairs that are further apart than `limit` and whose budget is more than `spent` are skipped: the
 /// others are due.

@@ -25,8 +25,8 @@ constexpr int kEnoughPasses = 4;
 /// time than a prediction. It was measured.
 constexpr std::size_t kWorthAPrediction = 200;
 
-/// A predicted motion is worth it while no more motion is spent than so much for each unit that B
-/// comes. After one that was worth it for so many passes another is tried at once.
+/// A predicted motion is worth it while the motion spent is at most so many times the distance that
+/// B has come. After one that was worth it for so many passes another is tried at once.
 constexpr double kMostSpentPerDistance = 1.5;
 constexpr int kEnoughPredicted = 8;
 
