@@ -30,7 +30,7 @@ class SharedWalkTest : public testing::Test {
     for (; turn; turn = shared_.take(walk)) {
       ++turns;
       while (const std::size_t count = walk.next(places)) {
-        query_.decide({places, count}, candidates, on_pair);
+        query_.decide_found({places, count}, candidates, on_pair);
         shared_.give(walk);
       }
       turn.reset();
