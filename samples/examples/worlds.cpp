@@ -155,6 +155,20 @@ void who_is_with_whom() {
   world.wake(world.island(lower));
 }
 
+/// A ball that has come through an open sheet is pushed out in front of it.
+void what_is_behind_counts() {
+  const std::vector<Eigen::Vector3d> corners = {{-2, -2, 0}, {2, -2, 0}, {0, 3, 0}};
+  const std::vector<graze::TriangleIndices> triangles = {{0, 1, 2}};
+  const graze::MeshSides sides = graze::MeshSides::one_sided(0.5);
+  expect(sides.thickness() == 0.5, "metres behind the surface");
+  graze::World world;
+  world.add({graze::Mesh(corners, triangles)}, {.kind = graze::BodyKind::Static, .sides = sides});
+  world.add({graze::Sphere{{0, 0, 0}, 0.25}, at(0, 0, -0.5)});
+  const graze::WorldUpdate update = world.update();
+  expect(update.contacts.size() == 1, "it is behind the sheet, and touches it nowhere");
+  expect(std::abs(update.contacts[0].manifold[0].depth - 0.75) < 1e-9, "until it lies in front");
+}
+
 void which_contacts_go_on() {
   graze::World world;
   world.add({graze::Box{{5, 5, 0.5}}, at(0, 0, -0.5)}, {.kind = graze::BodyKind::Static});
@@ -207,4 +221,5 @@ int main() {
   world.remove(ball);
   expect(!world.contains(ball) && world.size() == 1, "it is gone");
   expect(world.sides(floor).kind() == graze::Sides::Surface, "what is in a mesh may count, too");
+  what_is_behind_counts();
 }
