@@ -18,6 +18,7 @@
 #include "samples/simulation/bin.h"
 #include "samples/simulation/contact_solver.h"
 #include "samples/simulation/options.h"
+#include "samples/simulation/pellet_watch.h"
 #include "samples/simulation/pile_files.h"
 #include "samples/simulation/pile_recorder.h"
 #include "samples/simulation/shape_mass.h"
@@ -209,6 +210,7 @@ class Simulation {
     woken_.clear();
     solver_.take(world_, update, bodies_, woken_);
     if (stop_pellet(update)) solver_.take(world_, world_.update(), bodies_, woken_);
+    if (has_pellet()) pellet_watch_.see(size_, bodies_.back().at);
     for (RigidBody& body : bodies_) {
       if (!body.is_asleep) body.velocity.z() -= settings_.gravity * settings_.step;
     }
@@ -297,10 +299,11 @@ class Simulation {
     std::size_t asleep = 0;
     double energy = 0;
     for (const RigidBody& body : bodies_) {
-      is_inside &= body.at.z() > 0 && std::hypot(body.at.x(), body.at.y()) <
-                                          graze::samples::inner_radius(size_, body.at.z());
+      const bool is_pellet = has_pellet() && &body == &bodies_.back();
+      is_inside &=
+          is_pellet ? !pellet_watch_.has_gone_through() : graze::samples::is_in_bin(size_, body.at);
       is_finite &= body.at.allFinite() && body.velocity.allFinite() && body.spin.allFinite();
-      asleep += body.is_asleep && (!has_pellet() || &body != &bodies_.back());
+      asleep += body.is_asleep && !is_pellet;
       energy += energy_of(body);
     }
     double deepest = 0;
@@ -317,8 +320,9 @@ class Simulation {
         options_.bodies, asleep, 1e3 * deepest, energy, poured_energy_);
     if (has_pellet()) {
       std::printf(
-          "the pellet came at %.4g m/s, %.0f mm a step, and was stopped %d times on its way\n",
-          options_.shot, 1e3 * options_.shot * settings_.step, pellet_stops_);
+          "the pellet came at %.4g m/s, %.0f mm a step, and was stopped %d times on its way%s\n",
+          options_.shot, 1e3 * options_.shot * settings_.step, pellet_stops_,
+          pellet_watch_.has_jumped_out() ? "; it jumped out over the rim" : "");
     }
     std::printf("%.2f s simulated in %.2f s, %.2f s of one core: %.2f and %.2f times real time\n",
                 options_.seconds, wall_, core_, options_.seconds / wall_, options_.seconds / core_);
@@ -366,6 +370,7 @@ class Simulation {
       graze::samples::mass_properties(pellet_shape_, kSteel);
   Vector3d pellet_from_ = Vector3d::Zero();  // where it was at the last update
   int pellet_stops_ = 0;
+  graze::samples::PelletWatch pellet_watch_;
   Totals totals_;
   double poured_energy_ = 0;
   double wall_ = 0;  // seconds

@@ -9,6 +9,7 @@
 
 #include "samples/simulation/contact_solver.h"
 #include "samples/simulation/integrator.h"
+#include "samples/simulation/pellet_watch.h"
 #include "samples/simulation/scenes/parts.h"
 #include "samples/simulation/shape_mass.h"
 
@@ -90,6 +91,27 @@ TEST(ContactSolver, HoldsWhatStandsOnSeveralParts) {
   }
   EXPECT_NEAR(bodies[0].at.z(), 0.25, 2e-3);
   EXPECT_LT(bodies[0].velocity.norm() + bodies[0].spin.norm(), 1e-3);
+}
+
+TEST(PelletWatch, TellsAJumpOverTheRimFromAWayThroughTheWall) {
+  const BinSize size;
+  const double above = 1.5 * size.height, low = 0.5 * size.height, far = 2 * size.mouth_radius;
+  PelletWatch over, through, below;
+  for (const Eigen::Vector3d& at :
+       {Eigen::Vector3d(0, 0, above), Eigen::Vector3d(0, 0, low), Eigen::Vector3d(far, 0, above)})
+    over.see(size, at);
+  EXPECT_FALSE(over.has_jumped_out());
+  over.see(size, {far, 0, low});
+  over.see(size, {far, 0, -1});
+  EXPECT_TRUE(over.has_jumped_out());
+  EXPECT_FALSE(over.has_gone_through());
+  for (const Eigen::Vector3d& at : {Eigen::Vector3d(0, 0, low), Eigen::Vector3d(far, 0, low)})
+    through.see(size, at);
+  EXPECT_TRUE(through.has_gone_through());
+  for (const Eigen::Vector3d& at : {Eigen::Vector3d(0, 0, low), Eigen::Vector3d(0, 0, -low)})
+    below.see(size, at);
+  EXPECT_TRUE(below.has_gone_through());
+  EXPECT_FALSE(below.has_jumped_out());
 }
 
 }  // namespace
