@@ -1,6 +1,6 @@
 #include "samples/simulation/contact_solver.h"
 
-#include <Eigen/QR>
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -122,7 +122,6 @@ void ContactSolver::take(const World& world, const WorldUpdate& update,
 void ContactSolver::keep_push(const Pose& pose_a, const std::vector<Point>& before,
                               std::vector<Point>& points) {
   using Wrench = Eigen::Matrix<double, 6, 1>;  // a push, and its moment by a length
-  using Wrenches = Eigen::Matrix<double, 6, Eigen::Dynamic>;
   const Vector3d middle = pose_a * before.front().anchor_a;
   double width = 0;
   for (const std::vector<Point>* each : {&before, &std::as_const(points)}) {
@@ -138,20 +137,18 @@ void ContactSolver::keep_push(const Pose& pose_a, const std::vector<Point>& befo
   Wrench lacking = Wrench::Zero();
   for (const Point& point : before)
     lacking += point.impulse[0] * wrench_of(point);
-  Wrenches wrenches(6, static_cast<Eigen::Index>(points.size()));
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const auto column = static_cast<Eigen::Index>(i);
-    wrenches.col(column) = wrench_of(points[i]);
-    lacking -= points[i].impulse[0] * wrenches.col(column);
+  // Directions of wrenches that are alike but for rounding have no inverse: a share of one keeps
+  // what is asked along them small.
+  constexpr double kAlike = 1e-6;
+  Eigen::Matrix<double, 6, 6> squares = kAlike * Eigen::Matrix<double, 6, 6>::Identity();
+  for (const Point& point : points) {
+    const Wrench wrench = wrench_of(point);
+    squares += wrench.lazyProduct(wrench.transpose());
+    lacking -= point.impulse[0] * wrench;
   }
-  constexpr double kAlike = 1e-3;  // for directions of wrenches that are one but for rounding
-  Eigen::CompleteOrthogonalDecomposition<Wrenches> least(wrenches.rows(), wrenches.cols());
-  least.setThreshold(kAlike);
-  const Eigen::VectorXd more = least.compute(wrenches).solve(lacking);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    double& impulse = points[i].impulse[0];
-    impulse = std::max(impulse + more[static_cast<Eigen::Index>(i)], 0.0);
-  }
+  const Wrench weights = squares.llt().solve(lacking);
+  for (Point& point : points)
+    point.impulse[0] = std::max(point.impulse[0] + wrench_of(point).dot(weights), 0.0);
 }
 
 double ContactSolver::friction_of(std::uint64_t index, std::span<const RigidBody> bodies) const {

@@ -26,7 +26,7 @@ void precess(RigidBody& body, double seconds) {
   const Vector3d momentum = inertia * spin;
   const Vector3d rest = seconds * spin.cross(momentum);
   const Matrix3d slope = inertia + seconds * (crossing(spin) * inertia - crossing(momentum));
-  body.spin = body.turn * (spin - slope.partialPivLu().solve(rest));
+  body.spin = body.turn * (spin - slope.inverse() * rest);
 }
 
 }  // namespace graze::samples
