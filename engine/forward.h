@@ -1,33 +1,46 @@
 #pragma once
 
-// For those who only pass handles around, this declares the classes, settings and results that
-// programs pass around. Only ids and pairs are defined, as values; no other header is included.
-// <graze/graze.h> has all of it.
+// For those who only pass handles around, this declares every class and structure of the public
+// headers. Only ids and pairs are defined, as values; no other header is included. <graze/graze.h>
+// has all of it.
 
 #include <graze/engine/world/ids.h>
 
 namespace graze {
 
+class CaseError;
 class Error;
 struct ErrorPlace;
 class InputError;
 class MeshError;
 class PoseError;
+class SceneError;
 class StaleIdError;
 class StoppedError;
 class UnsupportedPairError;
 
+class AabbList;
+class KDopList;
+class ObbList;
 struct Aabb;
+struct AabbArray;
+struct BoxPair;
 struct Ellipsoid;
+struct HollowAabb;
+struct HollowSphere;
 struct Obb;
 struct Ray;
 struct Sphere;
+struct SphereArray;
 struct Triangle;
 struct EdgePath;
 struct PointPath;
 struct TrianglePath;
 template <int K>
 struct KDop;
+struct PoseEqual;
+struct PoseHash;
+struct PoseLine;
 
 class Compound;
 class VoxelMap;
@@ -76,7 +89,16 @@ struct FirstContact;
 struct MeshDistance;
 struct MeshFirstContact;
 struct MeshHealth;
+struct DuplicateTriangle;
+struct FaultyEdge;
+struct InsideOutPart;
 struct MeshIntersection;
+struct IntersectionCurve;
+struct IntersectionPatch;
+struct IntersectionPoint;
+struct IntersectionPolygon;
+struct IntersectionSegment;
+struct TouchingPoint;
 struct RayHit;
 struct NearestPoint;
 struct TriangleIntersection;
@@ -84,8 +106,9 @@ struct TriangleRayHit;
 struct VolumeFit;
 struct MeshFit;
 struct FreedomCertificate;
+struct FreedomStep;
 struct RigidContact;
-struct Separation;
+struct SeparatingTranslation;
 struct TriangleDistance;
 struct TriangleList;
 struct TrianglePair;
@@ -100,9 +123,11 @@ class ConvexHull;
 class HeightField;
 class Shape;
 struct Box;
+struct BoxGap;
 struct Capsule;
 struct Cone;
 struct Cylinder;
+struct FieldRange;
 struct HalfSpace;
 struct Plane;
 struct PlacedShape;
@@ -117,6 +142,7 @@ struct ShapeSeparation;
 
 class BodyShape;
 class BroadPhase;
+class ContactTracker;
 class World;
 class WorldSnapshot;
 struct BodyCast;
@@ -128,6 +154,11 @@ struct BodyQuerySettings;
 struct BodyRayHit;
 struct BodySettings;
 struct BroadPhaseSettings;
+struct BroadPhaseWork;
+struct ContactTrackerSettings;
+struct DrawnLabel;
+struct DrawnLine;
+struct DrawnPoint;
 struct Filter;
 struct PlacedBodyShape;
 struct PlacedWorldView;

@@ -39,7 +39,7 @@
 #include <graze/engine/mesh/rigid_contact.h>
 #include <graze/engine/mesh/rigid_motion.h>
 #include <graze/engine/mesh/self.h>
-#include <graze/engine/mesh/separation.h>
+#include <graze/engine/mesh/separating_translation.h>
 #include <graze/engine/mesh/triangle_pairs.h>
 #include <graze/engine/mesh/volume_cast.h>
 #include <graze/engine/mesh/volume_query.h>

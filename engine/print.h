@@ -22,7 +22,7 @@
 #include <graze/engine/mesh/rigid_certificate.h>
 #include <graze/engine/mesh/rigid_contact.h>
 #include <graze/engine/mesh/rigid_motion.h>
-#include <graze/engine/mesh/separation.h>
+#include <graze/engine/mesh/separating_translation.h>
 #include <graze/engine/mesh/triangle_pairs.h>
 #include <graze/engine/mesh/volume_cast.h>
 #include <graze/engine/mesh/voxel_grid.h>
@@ -85,7 +85,7 @@ std::ostream& operator<<(std::ostream& out, const NearestPoint& nearest);
 std::ostream& operator<<(std::ostream& out, const MeshHealth& health);
 std::ostream& operator<<(std::ostream& out, const MeshContact& contact);
 std::ostream& operator<<(std::ostream& out, const MeshContacts& contacts);
-std::ostream& operator<<(std::ostream& out, const Separation& separation);
+std::ostream& operator<<(std::ostream& out, const SeparatingTranslation& separation);
 std::ostream& operator<<(std::ostream& out, const VolumeFit& fit);
 std::ostream& operator<<(std::ostream& out, const MeshFit& fit);
 std::ostream& operator<<(std::ostream& out, const RayHit& hit);

@@ -24,8 +24,8 @@ namespace narrowphase {
 /// Returns what intersects() answers under this policy, with the stage that decided.
 Decision decide(const Triangle& triangle_a, const Triangle& triangle_b, Touch touch);
 
-/// Asks the floating-point stage of crosses() alone. Apart means that they do not cross, Touching
-/// that they do. Input that is not finite is Unsure.
+/// Asks the floating-point stage of crosses() alone: Yes means that they cross. Input that is not
+/// finite is Unsure.
 Verdict crossing_triage(const Triangle& triangle_a, const Triangle& triangle_b);
 
 /// Asks the exact stage of crosses() alone. Throws as crosses() does.

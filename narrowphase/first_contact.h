@@ -40,12 +40,12 @@ enum class StartContact {
            ///< other
 };
 
-/// Says how first_contact() treats contacts at t = 0, and which separation counts as one.
+/// Says how first_contact() treats contacts at t = 0, and which clearance counts as one.
 struct FirstContactSettings {
   StartContact start = StartContact::Counts;  ///< says whether a contact at t = 0 counts
-  /// A separation in metres, finite and not negative: sets no further apart than that are in
+  /// A clearance in metres, finite and not negative: sets no further apart than that are in
   /// contact.
-  double separation = 0;
+  double clearance = 0;
 };
 
 /// Says when two things that move meet first.
@@ -64,7 +64,7 @@ struct FirstContact {
 /// order of corners changes nothing. Takes tens of nanoseconds where all are never in one plane.
 /// Throws InputError for a coordinate that is not finite.
 ///
-/// With a separation the two are in contact while they are no further apart than that, again in
+/// With a clearance the two are in contact while they are no further apart than that, again in
 /// real arithmetic. So a step up to the time returned keeps at least that distance, even if they
 /// come so near for a moment only. Takes some hundred nanoseconds where they are clearly further
 /// apart all the way, else about a millisecond, and up to a second for coordinates that are a

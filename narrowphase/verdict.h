@@ -4,7 +4,11 @@ namespace graze::narrowphase {
 
 /// Lists what a floating-point stage may answer (law 6). An Unsure pair goes to the next stage; the
 /// user never sees it.
-enum class Verdict { Apart, Touching, Unsure };
+enum class Verdict {
+  No,     ///< surely no: what was asked for is not there
+  Yes,    ///< surely yes
+  Unsure  ///< the next stage is asked
+};
 
 /// Names the stage that gave an answer.
 enum class Stage { Triage, Exact };

@@ -11,7 +11,7 @@
 #include <graze/engine/mesh/mesh_contacts.h>
 #include <graze/engine/mesh/pair.h>
 #include <graze/engine/mesh/self.h>
-#include <graze/engine/mesh/separation.h>
+#include <graze/engine/mesh/separating_translation.h>
 #include <graze/engine/mesh/volume_query.h>
 #include <graze/engine/world/shape_pairs.h>
 #include <graze/engine/world/shape_separation.h>
@@ -46,7 +46,8 @@ Case to_case(const PlacedMeshView& a, const PlacedMeshView& b,
              const MeshIntersection& intersection);
 
 /// Makes a case of separating_translation(), without a direction or along one.
-Case to_case(const PlacedMeshView& a, const PlacedMeshView& b, const Separation& separation,
+Case to_case(const PlacedMeshView& a, const PlacedMeshView& b,
+             const SeparatingTranslation& separation,
              const std::optional<Eigen::Vector3d>& direction = std::nullopt);
 
 /// Make a case of distance() and intersection() of triangles.
@@ -76,7 +77,7 @@ CaseAnswer answer_of(const TriangleList& triangles);
 CaseAnswer answer_of(const MeshDistance& gap);
 CaseAnswer answer_of(const MeshContacts& contacts);
 CaseAnswer answer_of(const MeshIntersection& intersection);
-CaseAnswer answer_of(const Separation& separation);
+CaseAnswer answer_of(const SeparatingTranslation& separation);
 /// Returns the translation of B by the depth along the normal; for two that are apart it is zero.
 CaseAnswer answer_of(const ShapeSeparation& separation);
 CaseAnswer answer_of(const TriangleDistance& gap);

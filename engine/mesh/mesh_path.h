@@ -60,11 +60,11 @@ struct MeshFirstContact {
 
 /// Returns when the triangles of two meshes in motion meet first, or nothing if they never do (law
 /// 12). The time is exact, never late: so the largest step that is free is to `time`, or to 1; with
-/// a separation it is the largest that keeps it. Of contacts of one time that of the lowest pair of
+/// a clearance it is the largest that keeps it. Of contacts of one time that of the lowest pair of
 /// triangles counts, then that of the first kind of features, then that of the lowest places. With
 /// StartContact::IsLeft each vertex is asked so with each face, and each pair of edges; triangles
 /// that cross at t = 0 meet there all the same. It allocates for nothing but pairs of features that
-/// come near a separation.
+/// come near a clearance.
 std::optional<MeshFirstContact> first_contact(const MeshPath& path_a, const MeshPath& path_b,
                                               const FirstContactSettings& settings = {},
                                               Work* work = nullptr);
@@ -72,7 +72,7 @@ std::optional<MeshFirstContact> first_contact(const MeshPath& path_a, const Mesh
 /// Returns when a mesh in motion meets itself first, in the same way, with a pair of triangles a <
 /// b. A vertex does not meet a triangle of its own, nor an edge one that it has a vertex in common
 /// with, and triangles with a common vertex are a hit at t = 0 only where they cross. With a
-/// separation that is above the lengths of edges, most vertices are near neighbours of their own
+/// clearance that is above the lengths of edges, most vertices are near neighbours of their own
 /// triangles at t = 0.
 std::optional<MeshFirstContact> first_self_contact(const MeshPath& path,
                                                    const FirstContactSettings& settings = {},

@@ -229,7 +229,7 @@ std::ostream& operator<<(std::ostream& out, const MeshContact& contact) {
 std::ostream& operator<<(std::ostream& out, const MeshContacts& contacts) {
   return write_limited(out, contacts, "contacts");
 }
-std::ostream& operator<<(std::ostream& out, const Separation& separation) {
+std::ostream& operator<<(std::ostream& out, const SeparatingTranslation& separation) {
   return out << Text("apart after ", separation.distance, " along ", separation.direction);
 }
 std::ostream& operator<<(std::ostream& out, const VolumeFit& fit) {

@@ -110,6 +110,8 @@ struct Filter {
   std::uint32_t category = 1;        ///< the categories that the body is in, one bit each
   std::uint32_t mask = 0xffffffffu;  ///< the categories that the body meets, one bit each
   std::int32_t group = 0;            ///< if 0, categories and masks decide
+
+  bool operator==(const Filter&) const = default;
 };
 
 /// True if two bodies with these filters may meet.

@@ -19,7 +19,7 @@
 
 namespace graze {
 
-/// The settings of a body. Each can be changed later.
+/// The settings of a body. Each but the sides can be changed later.
 struct BodySettings {
   BodyKind kind = BodyKind::Dynamic;  ///< who moves the body
   Filter filter = {};                 ///< which bodies it may meet

@@ -9,7 +9,7 @@ namespace graze::narrowphase {
 /// Returns the verdict of two proofs, of which at most one holds. It has no branch, because a CPU
 /// often cannot predict which of them does.
 constexpr Verdict verdict_of(bool is_apart, bool is_touching) {
-  static_assert(static_cast<int>(Verdict::Apart) == 0 && static_cast<int>(Verdict::Touching) == 1 &&
+  static_assert(static_cast<int>(Verdict::No) == 0 && static_cast<int>(Verdict::Yes) == 1 &&
                 static_cast<int>(Verdict::Unsure) == 2);
   return static_cast<Verdict>((2 - static_cast<int>(is_touching)) &
                               (static_cast<int>(is_apart) - 1));

@@ -63,13 +63,13 @@ std::optional<FirstContact> contact_of(const A& a, const B& b, const PathLanes& 
 
 std::optional<FirstContact> first_contact_of(const PointPath& point, const TrianglePath& triangle,
                                              const FirstContactSettings& settings, double until) {
-  if (settings.separation > 0) return near_contact(FourPaths(point, triangle), settings, until);
+  if (settings.clearance > 0) return near_contact(FourPaths(point, triangle), settings, until);
   return contact_of(point, triangle, PathLanes(point, triangle), settings, until);
 }
 
 std::optional<FirstContact> first_contact_of(const EdgePath& a, const EdgePath& b,
                                              const FirstContactSettings& settings, double until) {
-  if (settings.separation > 0) return near_contact(FourPaths(a, b), settings, until);
+  if (settings.clearance > 0) return near_contact(FourPaths(a, b), settings, until);
   return contact_of(a, b, PathLanes(a, b), settings, until);
 }
 
@@ -104,7 +104,7 @@ std::optional<FirstContact> checked_contact(const A& a, const B& b,
                                             std::size_t number) {
   const PathLanes lanes(a, b);
   if (!lanes.are_surely_finite()) check_paths(a, b, number);
-  if (settings.separation > 0) return near_contact(FourPaths(a, b), settings);
+  if (settings.clearance > 0) return near_contact(FourPaths(a, b), settings);
   return contact_of(a, b, lanes, settings, 1);
 }
 

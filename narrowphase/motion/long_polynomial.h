@@ -1,7 +1,7 @@
 #pragma once
 
 // This file holds polynomials in time of any degree, with integer coefficients of any length: what
-// separations need (near_contact.cpp), and what is too long for polynomial.h.
+// clearances need (near_contact.cpp), and what is too long for polynomial.h.
 
 #include <graze/narrowphase/predicates/growing_integer.h>
 

@@ -34,7 +34,7 @@ bool are_any_near(const std::vector<NearFeature>& features, const SignOf& sign_o
 
 std::optional<FirstContact> near_contact_exactly(const FourPaths& paths,
                                                  const FirstContactSettings& settings) {
-  const std::vector<NearFeature> features = near_features_of(paths, settings.separation);
+  const std::vector<NearFeature> features = near_features_of(paths, settings.clearance);
   const bool are_near_at_start =
       are_any_near(features, [](const LongPolynomial& f) { return f.sign_at_start(); });
   if (are_near_at_start && settings.start == StartContact::Counts) return FirstContact{0, true};
@@ -59,7 +59,7 @@ std::optional<FirstContact> near_contact_exactly(const FourPaths& paths,
 
 std::optional<FirstContact> near_contact(const FourPaths& paths,
                                          const FirstContactSettings& settings, double until) {
-  if (are_surely_further(paths, settings.separation, until)) return std::nullopt;
+  if (are_surely_further(paths, settings.clearance, until)) return std::nullopt;
   return near_contact_exactly(paths, settings);
 }
 

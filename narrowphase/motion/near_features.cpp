@@ -26,8 +26,8 @@ LongVector cross(const LongVector& a, const LongVector& b) {
 /// Lists all of the pairs, one after the other.
 class NearFeatures {
  public:
-  NearFeatures(const FourPaths& paths, double separation) {
-    CommonUnit unit({separation});
+  NearFeatures(const FourPaths& paths, double clearance) {
+    CommonUnit unit({clearance});
     for (int i = 0; i < 4; ++i) {
       unit.include(paths.start[i], 3);
       unit.include(paths.end[i], 3);
@@ -40,20 +40,20 @@ class NearFeatures {
       };
       point_[i] = {coordinate(0), coordinate(1), coordinate(2)};
     }
-    const auto s = GrowingInteger::from_double(separation, unit.exponent());
-    separation2_ = LongPolynomial({s * s});
+    const auto s = GrowingInteger::from_double(clearance, unit.exponent());
+    clearance2_ = LongPolynomial({s * s});
   }
 
   void add_corners(int p, int q) {
     const LongVector w = point_[p] - point_[q];
-    features.push_back({dot(w, w) - separation2_, LongPolynomial({GrowingInteger(1)}), {}});
+    features.push_back({dot(w, w) - clearance2_, LongPolynomial({GrowingInteger(1)}), {}});
   }
 
   void add_corner_and_edge(int p, int from, int to) {
     const LongVector edge = point_[to] - point_[from];
     const LongVector w = point_[p] - point_[from], across = cross(w, edge);
     const LongPolynomial size = dot(edge, edge);
-    features.push_back({dot(across, across) - separation2_ * size,
+    features.push_back({dot(across, across) - clearance2_ * size,
                         size,
                         {dot(w, edge), dot(point_[to] - point_[p], edge)}});
   }
@@ -63,7 +63,7 @@ class NearFeatures {
     const LongVector normal = cross(point_[2] - point_[1], point_[3] - point_[1]);
     const LongPolynomial size = dot(normal, normal);
     const LongPolynomial height = dot(point_[0] - point_[1], normal);
-    NearFeature feature{height * height - separation2_ * size, size, {}};
+    NearFeature feature{height * height - clearance2_ * size, size, {}};
     for (int i = 1; i <= 3; ++i) {
       const LongVector v = point_[i] - point_[0], next = point_[i % 3 + 1] - point_[0];
       feature.inside.push_back(dot(cross(v, next), normal));
@@ -79,20 +79,20 @@ class NearFeatures {
     const LongPolynomial size = dot(across, across), height = dot(w, across);
     const LongPolynomial on_e = dot(cross(w, f), across), on_f = dot(cross(w, e), across);
     features.push_back(
-        {height * height - separation2_ * size, size, {on_e, size - on_e, on_f, size - on_f}});
+        {height * height - clearance2_ * size, size, {on_e, size - on_e, on_f, size - on_f}});
   }
 
   std::vector<NearFeature> features;
 
  private:
   LongVector point_[4];
-  LongPolynomial separation2_;
+  LongPolynomial clearance2_;
 };
 
 }  // namespace
 
-std::vector<NearFeature> near_features_of(const FourPaths& paths, double separation) {
-  NearFeatures all(paths, separation);
+std::vector<NearFeature> near_features_of(const FourPaths& paths, double clearance) {
+  NearFeatures all(paths, clearance);
   if (paths.kind == PathPair::PointTriangle) {
     for (int i = 1; i <= 3; ++i) {
       all.add_corners(0, i);

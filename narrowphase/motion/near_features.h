@@ -1,6 +1,6 @@
 #pragma once
 
-// Two hulls whose points go straight are no further apart than a separation s while some pair of
+// Two hulls whose points go straight are no further apart than a clearance s while some pair of
 // their features is: a corner and a corner, an edge or the face, or two edges, each without the
 // features that bound it. The squared distance of two points, of a point from a line or a plane, or
 // of two lines, less s^2, is a quotient of polynomials in time, and so is where the foot is.
@@ -22,7 +22,7 @@ struct NearFeature {
                                        ///< at most
 };
 
-/// Returns all pairs. The separation is finite and not negative.
-std::vector<NearFeature> near_features_of(const FourPaths& paths, double separation);
+/// Returns all pairs. The clearance is finite and not negative.
+std::vector<NearFeature> near_features_of(const FourPaths& paths, double clearance);
 
 }  // namespace graze::narrowphase

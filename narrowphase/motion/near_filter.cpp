@@ -19,7 +19,7 @@ namespace {
 
 constexpr double kUnitRoundoff = 0x1p-53;
 constexpr double kOffsetBound = 24 * kUnitRoundoff;
-constexpr double kSeparationGrowth = 1 + 8 * kUnitRoundoff;
+constexpr double kClearanceGrowth = 1 + 8 * kUnitRoundoff;
 constexpr double kUnderflow = 0x1p-1000;
 
 // Where lengths and directions are between these nothing overflows, and no square underflows.
@@ -100,11 +100,11 @@ Vector offset_of_edges(const FourPoints& p) {
 
 class Filter {
  public:
-  Filter(const FourPaths& paths, double separation)
+  Filter(const FourPaths& paths, double clearance)
       : paths_(paths),
-        separation_(separation),
+        clearance_(clearance),
         first_count_(paths.kind == PathPair::EdgeEdge ? 2 : 1) {
-    double largest = separation;
+    double largest = clearance;
     for (int i = 0; i < 4; ++i) {
       for (int k = 0; k < 3; ++k)
         largest =
@@ -150,7 +150,7 @@ class Filter {
     if (!(largest > 0 && largest < 0x1p1000)) return false;
     const Vector q{offset.x / largest, offset.y / largest, offset.z / largest};
     const double size = (std::abs(q.x) + std::abs(q.y)) + std::abs(q.z);
-    const double least = separation_ * std::sqrt(dot(q, q)) * kSeparationGrowth +
+    const double least = clearance_ * std::sqrt(dot(q, q)) * kClearanceGrowth +
                          (kOffsetBound * largest_ * size + kUnderflow);
     for (const FourPoints* points : {&from, &to}) {
       for (int i = 0; i < first_count_; ++i) {
@@ -163,15 +163,15 @@ class Filter {
   }
 
   const FourPaths& paths_;
-  double separation_;
+  double clearance_;
   int first_count_;
   double largest_;
 };
 
 }  // namespace
 
-bool are_surely_further(const FourPaths& paths, double separation, double until) {
-  const Filter filter(paths, separation);
+bool are_surely_further(const FourPaths& paths, double clearance, double until) {
+  const Filter filter(paths, clearance);
   if (!filter.is_in_range()) return false;
   return filter.are_further({0, filter.at(0)}, {until, filter.at(until)}, kMostSplits);
 }

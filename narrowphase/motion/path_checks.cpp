@@ -45,8 +45,8 @@ void check_paths(const TrianglePath& triangle_a, const TrianglePath& triangle_b,
 void check_settings(const FirstContactSettings& settings) {
   if (settings.start != StartContact::Counts && settings.start != StartContact::IsLeft)
     throw InputError("first contact: no such policy for a contact at the start");
-  if (!std::isfinite(settings.separation) || settings.separation < 0)
-    throw InputError("first contact: the separation is not a distance");
+  if (!std::isfinite(settings.clearance) || settings.clearance < 0)
+    throw InputError("first contact: the clearance is not a distance");
 }
 
 void check_settings(const CastSettings& settings) {

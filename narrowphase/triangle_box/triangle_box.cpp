@@ -24,7 +24,7 @@ Triangle into_frame(const Triangle& triangle, const Pose& frame) {
 
 Decision decide(const Triangle& triangle, const Aabb& box) {
   const Verdict verdict = triage(triangle, box);
-  if (verdict != Verdict::Unsure) return {verdict == Verdict::Touching, Stage::Triage};
+  if (verdict != Verdict::Unsure) return {verdict == Verdict::Yes, Stage::Triage};
   return {intersects_exactly(triangle, box), Stage::Exact};
 }
 

@@ -55,12 +55,12 @@ Verdict triage(const Triangle& triangle, const Aabb& box) {
   if (!(size <= std::numeric_limits<double>::max()) || !is_ordered(low, high)) {
     return Verdict::Unsure;
   }
-  if (is_apart_along_box_axes(t, low, high)) return Verdict::Apart;
+  if (is_apart_along_box_axes(t, low, high)) return Verdict::No;
   const Verdict verdict = triage_remaining_axes(t, low, high, size);
   if (verdict != Verdict::Unsure) return verdict;
   const bool is_inside =
       contains(low, high, t) || contains(low, high, t + 3) || contains(low, high, t + 6);
-  return is_inside ? Verdict::Touching : Verdict::Unsure;
+  return is_inside ? Verdict::Yes : Verdict::Unsure;
 }
 
 }  // namespace graze::narrowphase

@@ -27,7 +27,7 @@ Decision decide(const Triangle& triangle_a, const Triangle& triangle_b, Touch to
   check_touch(touch);
   if (touch == Touch::Include) return decide(triangle_a, triangle_b);
   const Verdict verdict = crossing_triage(triangle_a, triangle_b);
-  if (verdict != Verdict::Unsure) return {verdict == Verdict::Touching, Stage::Triage};
+  if (verdict != Verdict::Unsure) return {verdict == Verdict::Yes, Stage::Triage};
   return {crosses_exactly(triangle_a, triangle_b), Stage::Exact};
 }
 

@@ -77,19 +77,19 @@ bool pierces(const Vertices& segment, const PlaneSides& sides, const Vertices& t
 
 Verdict crossing_triage(const Triangle& triangle_a, const Triangle& triangle_b) {
   const Verdict touching = triage(triangle_a, triangle_b);
-  if (touching == Verdict::Apart) return Verdict::Apart;
+  if (touching == Verdict::No) return Verdict::No;
   const Vertices a = corners_of(triangle_a);
   const Vertices b = corners_of(triangle_b);
   const auto sides_a = strict_sides_of_plane(b, a);
   if (!sides_a) return Verdict::Unsure;
   const auto sides_b = strict_sides_of_plane(a, b);
   if (!sides_b) return Verdict::Unsure;
-  if (!sides_a->are_on_both() || !sides_b->are_on_both()) return Verdict::Apart;
+  if (!sides_a->are_on_both() || !sides_b->are_on_both()) return Verdict::No;
   const auto [s, t] = canonical(a, b, *sides_a, *sides_b);
   const auto first = orientation_3d_filter(s.p, s.q, t.p, t.q);
   const auto second = orientation_3d_filter(s.p, s.r, t.r, t.p);
   if (!first || !second) return Verdict::Unsure;
-  return first == Sign::Negative && second == Sign::Negative ? Verdict::Touching : Verdict::Apart;
+  return first == Sign::Negative && second == Sign::Negative ? Verdict::Yes : Verdict::No;
 }
 
 bool crosses_exactly(const Triangle& triangle_a, const Triangle& triangle_b) {

@@ -150,7 +150,7 @@ bool meet_exactly(const Corners<Number>& a, const Corners<Number>& b) {
 
 Decision decide(const Triangle& triangle_a, const Triangle& triangle_b) {
   const Verdict verdict = triage(triangle_a, triangle_b);
-  if (verdict != Verdict::Unsure) return {verdict == Verdict::Touching, Stage::Triage};
+  if (verdict != Verdict::Unsure) return {verdict == Verdict::Yes, Stage::Triage};
   return {intersects_exactly(triangle_a, triangle_b), Stage::Exact};
 }
 
@@ -158,16 +158,16 @@ Verdict compare_coordinates(const Triangle& triangle_a, const Triangle& triangle
   const double* a = coordinates(triangle_a);
   const double* b = coordinates(triangle_b);
   if (!is_finite(a) || !is_finite(b)) return Verdict::Unsure;
-  if (shares_vertex(a, b)) return Verdict::Touching;
-  return are_boxes_apart(a, b) ? Verdict::Apart : Verdict::Unsure;
+  if (shares_vertex(a, b)) return Verdict::Yes;
+  return are_boxes_apart(a, b) ? Verdict::No : Verdict::Unsure;
 }
 
 Decision decide_unsure(const Triangle& triangle_a, const Triangle& triangle_b, Touch touch) {
   check_touch(touch);
   const Verdict verdict = compare_coordinates(triangle_a, triangle_b);
-  if (verdict == Verdict::Apart) return {false, Stage::Triage};
+  if (verdict == Verdict::No) return {false, Stage::Triage};
   if (touch == Touch::Exclude) return {crosses_exactly(triangle_a, triangle_b), Stage::Exact};
-  if (verdict == Verdict::Touching) return {true, Stage::Triage};
+  if (verdict == Verdict::Yes) return {true, Stage::Triage};
   return {intersects_exactly(triangle_a, triangle_b), Stage::Exact};
 }
 

@@ -97,7 +97,7 @@ Verdict triage(const Triangle& triangle_a, const Triangle& triangle_b) {
   const bool is_in_range = volume >= kSmallestPairVolume && x <= kLargestPairExtent &&
                            y <= kLargestPairExtent && z <= kLargestPairExtent;
   const unsigned one_sided = ~((signs[0] ^ signs[1]) | (signs[0] ^ signs[2]));
-  if (is_in_range && (sure & one_sided) != 0) return Verdict::Apart;
+  if (is_in_range && (sure & one_sided) != 0) return Verdict::No;
   if (!is_in_range || sure != 0b11) return compare_coordinates(triangle_a, triangle_b);
   const unsigned signs_b = (signs[0] & 1) | (signs[1] & 1) << 1 | (signs[2] & 1) << 2;
   const unsigned signs_a = signs[0] >> 1 | (signs[1] >> 1) << 1 | (signs[2] >> 1) << 2;

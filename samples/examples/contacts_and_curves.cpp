@@ -37,10 +37,11 @@ int main() {
   expect(contacts.points_of(contact).size() >= 4, "the corners of the piece");
 
   // The last contact along a direction, and the best of some directions.
-  const graze::Separation up =
+  const graze::SeparatingTranslation up =
       graze::separating_translation({cube}, {cube, at(0, 0, 0.75)}, Eigen::Vector3d(0, 0, 1));
   expect(std::abs(up.distance - 0.25) < 1e-9, "a quarter upward parts them");
   expect(!graze::intersects({cube}, {cube, up.pose_b}), "as the next query says");
-  const graze::Separation best = graze::separating_translation({cube}, {cube, at(0, 0, 0.75)});
+  const graze::SeparatingTranslation best =
+      graze::separating_translation({cube}, {cube, at(0, 0, 0.75)});
   expect(best.distance <= up.distance * (1 + 1e-9), "no direction that was tried is shorter");
 }

@@ -67,7 +67,7 @@ void deformed(const graze::Mesh& cube) {
   const auto all = graze::find_contacts_in_step(growing, resting);
   expect(all.size() > 4 && all[0].time == 0.5, "and all features that meet in the step");
   expect(graze::find_self_contacts_in_step(growing).empty(), "none of its own");
-  const auto near = graze::first_contact(growing, resting, {.separation = 0.125});
+  const auto near = graze::first_contact(growing, resting, {.clearance = 0.125});
   expect(near && near->time < met->time, "the largest step that keeps an eighth of a metre");
   expect(growing.start() == cube && growing.end() == tower && growing.bytes() > 0,
          "it holds both meshes, and a tree");

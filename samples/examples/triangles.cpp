@@ -58,7 +58,7 @@ int main() {
   expect(graze::first_contact(panel, floor)->time == 0.25, "two triangles: the vertex comes first");
 
   // When they come as near as half a metre, of two.
-  expect(graze::first_contact(falling, floor, {.separation = 0.5})->time < fallen->time,
+  expect(graze::first_contact(falling, floor, {.clearance = 0.5})->time < fallen->time,
          "as exactly, and never late");
 
   // And when one goes straight as it is.

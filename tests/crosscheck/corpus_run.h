@@ -34,7 +34,7 @@ struct CorpusName {
 
 /// True if the verdict claims what is not so.
 inline bool is_sure_and_wrong(narrowphase::Verdict verdict, bool truth) {
-  return verdict == (truth ? narrowphase::Verdict::Apart : narrowphase::Verdict::Touching);
+  return verdict == (truth ? narrowphase::Verdict::No : narrowphase::Verdict::Yes);
 }
 
 /// Calls fault_of(element), which returns the first thing that is wrong with it or an empty text,

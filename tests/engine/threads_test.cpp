@@ -3,7 +3,7 @@
 #include <graze/engine/mesh/mesh_intersection.h>
 #include <graze/engine/mesh/pair.h>
 #include <graze/engine/mesh/self.h>
-#include <graze/engine/mesh/separation.h>
+#include <graze/engine/mesh/separating_translation.h>
 #include <graze/engine/mesh/volume_query.h>
 #include <gtest/gtest.h>
 #include <tbb/parallel_for.h>
@@ -51,7 +51,7 @@ TEST(MeshThreads, DistancesAndContactsAreAlikeOnAllThreads) {
   beside.translation() << 2.5, 0.1, 0.2;
   std::vector<MeshDistance> distances(6);
   std::vector<MeshContacts> contacts(distances.size());
-  std::vector<Separation> separations(distances.size());
+  std::vector<SeparatingTranslation> separations(distances.size());
   std::vector<std::thread> threads;
   for (std::size_t i = 0; i < distances.size(); ++i) {
     threads.emplace_back([&, i] {

@@ -69,7 +69,7 @@ Triangle second_triangle(int kind, const Triangle& near, RandomSource& source) {
 }
 
 bool is_wrong(Verdict verdict, bool truth) {
-  return verdict == (truth ? Verdict::Apart : Verdict::Touching);
+  return verdict == (truth ? Verdict::No : Verdict::Yes);
 }
 
 void hammer_pairs(int rounds, std::uint64_t seed) {

@@ -123,7 +123,7 @@ TEST(Law8TriangleBox, EverySimdTargetGivesTheSameVerdicts) {
 
 /// One element at a time looks besides for a vertex in the box: it may know more, never less.
 bool agrees(Verdict of_many, Verdict of_one) {
-  return of_many == of_one || (of_many == Verdict::Unsure && of_one == Verdict::Touching);
+  return of_many == of_one || (of_many == Verdict::Unsure && of_one == Verdict::Yes);
 }
 
 TEST(Law6TriangleBox, ManyAtOnceAreJudgedAsEachAlone) {
@@ -135,8 +135,8 @@ TEST(Law6TriangleBox, ManyAtOnceAreJudgedAsEachAlone) {
     ASSERT_TRUE(agrees(all.pairs[n], all.alone[n])) << n;
     ASSERT_TRUE(agrees(all.one_triangle[n], triage(elements[1].triangle, box))) << n;
     ASSERT_TRUE(agrees(all.one_box[n], triage(triangle, elements[1].box))) << n;
-    touching += all.pairs[n] == Verdict::Touching;
-    apart += all.pairs[n] == Verdict::Apart;
+    touching += all.pairs[n] == Verdict::Yes;
+    apart += all.pairs[n] == Verdict::No;
   }
   EXPECT_GT(touching, 500u);
   EXPECT_GT(apart, 5000u);

@@ -95,8 +95,8 @@ TEST(Law6, AZeroAreaTriangleIsNeverSurelyTouching) {
     const Eigen::Vector3d q = source.vector(-1, 1);
     const Triangle segment{p, q, n % 2 == 0 ? q : p};
     const Triangle other{source.vector(-1, 1), source.vector(-1, 1), source.vector(-1, 1)};
-    ASSERT_NE(triage(segment, other), Verdict::Touching);
-    ASSERT_NE(triage(other, segment), Verdict::Touching);
+    ASSERT_NE(triage(segment, other), Verdict::Yes);
+    ASSERT_NE(triage(other, segment), Verdict::Yes);
   }
 }
 
@@ -107,12 +107,12 @@ TEST(Law6, EqualVerticesCertifyAHitAndDisjointBoxesAMiss) {
     const Eigen::Vector3d shared = point();
     const Triangle a{point(), shared, point()};
     const Triangle b{point(), point(), shared};
-    ASSERT_EQ(triage(a, b), Verdict::Touching);
+    ASSERT_EQ(triage(a, b), Verdict::Yes);
     ASSERT_TRUE(narrowphase::intersects_exactly(a, b));
-    ASSERT_EQ(triage(a, a), Verdict::Touching);
-    ASSERT_EQ(triage(a, {shared, shared, shared}), Verdict::Touching);
+    ASSERT_EQ(triage(a, a), Verdict::Yes);
+    ASSERT_EQ(triage(a, {shared, shared, shared}), Verdict::Yes);
   }
-  EXPECT_EQ(triage(kFlat, {{5, 0, 0}, {6, 0, 0}, {5, 1, 0}}), Verdict::Apart) << "in one plane";
+  EXPECT_EQ(triage(kFlat, {{5, 0, 0}, {6, 0, 0}, {5, 1, 0}}), Verdict::No) << "in one plane";
   EXPECT_EQ(triage(kFlat, {{4, 1, 0}, {6, 0, 0}, {5, 1, 0}}), Verdict::Unsure);
 }
 
@@ -132,9 +132,9 @@ TEST(Law6, BeyondTheFiltersRangeItIsUnsure) {
                   {Eigen::Vector3d(1, 1, -1) * scale, Eigen::Vector3d(1, 1, 1) * scale,
                    Eigen::Vector3d(2, 1.5, 1) * scale});
   };
-  EXPECT_EQ(scaled(1), Verdict::Touching);
-  EXPECT_EQ(scaled(1e-80), Verdict::Touching);
-  EXPECT_EQ(scaled(1e40), Verdict::Touching);
+  EXPECT_EQ(scaled(1), Verdict::Yes);
+  EXPECT_EQ(scaled(1e-80), Verdict::Yes);
+  EXPECT_EQ(scaled(1e40), Verdict::Yes);
   EXPECT_EQ(scaled(1e-100), Verdict::Unsure);
   EXPECT_EQ(scaled(1e-310), Verdict::Unsure);
   EXPECT_EQ(scaled(1e60), Verdict::Unsure);

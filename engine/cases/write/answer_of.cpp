@@ -55,7 +55,7 @@ CaseAnswer answer_of(const ShapeSeparation& separation) {
   return answer;
 }
 
-CaseAnswer answer_of(const Separation& separation) {
+CaseAnswer answer_of(const SeparatingTranslation& separation) {
   CaseAnswer answer;
   answer.distance = separation.distance;
   answer.translation = separation.translation;

@@ -95,7 +95,8 @@ Case to_case(const PlacedMeshView& a, const PlacedMeshView& b,
   return make_case(Ask::Intersection, CaseMesh(a), CaseMesh(b), answer_of(intersection));
 }
 
-Case to_case(const PlacedMeshView& a, const PlacedMeshView& b, const Separation& separation,
+Case to_case(const PlacedMeshView& a, const PlacedMeshView& b,
+             const SeparatingTranslation& separation,
              const std::optional<Eigen::Vector3d>& direction) {
   return make_case(Ask::Separation, CaseMesh(a), CaseMesh(b), answer_of(separation),
                    {.direction = direction});

@@ -4,7 +4,7 @@
 #include <string>
 
 #include <graze/engine/mesh/mesh_contacts.h>
-#include <graze/engine/mesh/separation.h>
+#include <graze/engine/mesh/separating_translation.h>
 #include <graze/engine/work.h>
 
 namespace graze::cli {
@@ -12,8 +12,8 @@ namespace graze::cli {
 /// Holds what `graze contacts` found.
 struct ContactsAnswer {
   MeshContacts contacts;
-  std::optional<Separation> separation;  ///< the separation, if it was asked for
-  bool is_listing = false;               ///< true to print the corners of each contact
+  std::optional<SeparatingTranslation> separation;  ///< the separation, if it was asked for
+  bool is_listing = false;                          ///< true to print the corners of each contact
   Work work;
 };
 

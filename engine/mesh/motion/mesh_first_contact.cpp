@@ -58,8 +58,8 @@ FeatureContacts contacts_of_meshes(const MeshPath& path_a, const MeshPath& path_
   FeatureContacts contacts(settings, kept);
   const MeshPathAccess::Data& a = MeshPathAccess::data(path_a);
   const MeshPathAccess::Data& b = MeshPathAccess::data(path_b);
-  if (settings.separation > 0) {
-    ask_meshes(a, b, NearNodes(a.tree, b.tree, settings.separation), contacts, counted.work());
+  if (settings.clearance > 0) {
+    ask_meshes(a, b, NearNodes(a.tree, b.tree, settings.clearance), contacts, counted.work());
     return contacts;
   }
   const Pose identity = Pose::Identity();
@@ -76,8 +76,8 @@ FeatureContacts contacts_of_mesh(const MeshPath& path, const FirstContactSetting
   CountedWork counted(work);
   FeatureContacts contacts(settings, kept);
   const MeshPathAccess::Data& mesh = MeshPathAccess::data(path);
-  if (settings.separation > 0) {
-    ask_mesh(mesh, NearNodes(mesh.tree, mesh.tree, settings.separation), contacts, counted.work());
+  if (settings.clearance > 0) {
+    ask_mesh(mesh, NearNodes(mesh.tree, mesh.tree, settings.clearance), contacts, counted.work());
   } else {
     ask_mesh(mesh, bvh::NodeOverlap(mesh.tree.nodes, mesh.tree.nodes), contacts, counted.work());
   }

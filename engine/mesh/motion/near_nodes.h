@@ -7,16 +7,16 @@
 
 namespace graze {
 
-/// Proves nodes of two trees, or of one, further apart than a separation, along an axis.
+/// Proves nodes of two trees, or of one, further apart than a clearance, along an axis.
 class NearNodes {
  public:
-  NearNodes(const bvh::Tree& a, const bvh::Tree& b, double separation) : a_(a), b_(b) {
+  NearNodes(const bvh::Tree& a, const bvh::Tree& b, double clearance) : a_(a), b_(b) {
     // Halves are taken, so that nothing overflows. Each end of a box is a sum that is off by 2^-53
     // of itself, and so are their difference and the limit: a sixteenth of the room.
     for (int k = 0; k < 3; ++k) {
       const double size = (0.5 * std::abs(a.frame.centre[k]) + 2 * half_unit(a)) +
                           (0.5 * std::abs(b.frame.centre[k]) + 2 * half_unit(b));
-      limit_[k] = (0.5 * separation + 0x1p-48 * size) * (1 + 0x1p-48) + 0x1p-1000;
+      limit_[k] = (0.5 * clearance + 0x1p-48 * size) * (1 + 0x1p-48) + 0x1p-1000;
     }
   }
 

@@ -81,7 +81,7 @@ void VoxelDescent::keep_touching(const VoxelBlock& block, const VoxelCandidates&
 
   const auto keep_triangle = [&](std::uint32_t triangle) {
     ++work_.triangle_tests;
-    if (narrowphase::triage(scene_.mesh.triangle(triangle), box) == narrowphase::Verdict::Apart) {
+    if (narrowphase::triage(scene_.mesh.triangle(triangle), box) == narrowphase::Verdict::No) {
       return;
     }
     kept.triangles.push_back(triangle);

@@ -107,7 +107,7 @@ class MeshIntersection(NamedTuple):
 
 
 @result
-class Separation(NamedTuple):
+class SeparatingTranslation(NamedTuple):
     """A translation of B after which two meshes are apart."""
 
     distance: float

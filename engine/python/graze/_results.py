@@ -13,7 +13,7 @@ from graze._contact_results import ShapeContactLists as ShapeContactLists
 from graze._contact_results import Separations as Separations
 from graze._contact_results import Casts as Casts
 from graze._contact_results import MeshIntersection as MeshIntersection
-from graze._contact_results import Separation as Separation
+from graze._contact_results import SeparatingTranslation as SeparatingTranslation
 from graze._contact_results import MeshCast as MeshCast
 from graze._contact_results import ShapeCast as ShapeCast
 from graze._contact_results import RigidContact as RigidContact

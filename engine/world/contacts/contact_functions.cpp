@@ -91,7 +91,7 @@ void candidates_of_boxes(const PlacedShapeView& a, const PlacedShapeView& b,
   const Core core_b = core_of(b.shape, b.pose, candidates.origin);
   const narrowphase::BoxAxes axes(core_a, core_b);
   const Verdict verdict = axes.verdict();
-  if (verdict == Verdict::Apart) return;
+  if (verdict == Verdict::No) return;
   if (verdict == Verdict::Unsure && !intersect_in_boxes(a, b, work)) return;
   add_contact_points(core_a, core_b, part_boxes(axes), candidates.list);
   reduce_from(0, narrowphase::CoreSurfaces(core_a, core_b, candidates.margin), candidates);

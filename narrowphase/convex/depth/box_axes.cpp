@@ -76,8 +76,8 @@ Verdict BoxAxes::verdict() const {
     for (int j = 0; j < 3; ++j)
       least = std::min(least, overlap_[i][j]);
   }
-  if (least < -margin_) return Verdict::Apart;
-  return least > margin_ ? Verdict::Touching : Verdict::Unsure;
+  if (least < -margin_) return Verdict::No;
+  return least > margin_ ? Verdict::Yes : Verdict::Unsure;
 }
 
 // If two boxes are apart along the product n of two edges with an angle phi between them, turning

@@ -28,13 +28,13 @@ Verdict triage(const double* centre, const double* nearest, const double* semi_a
   double ratio[3];
   for (int i = 0; i < 3; ++i) {
     const double offset = nearest[i] - centre[i];  // rounded, but zero only if the exact one is
-    if (offset != 0 && semi_axes[i] == 0) return Verdict::Apart;
+    if (offset != 0 && semi_axes[i] == 0) return Verdict::No;
     ratio[i] = offset == 0 ? 0 : offset / semi_axes[i];
   }
   const double s = (ratio[0] * ratio[0] + ratio[1] * ratio[1]) + ratio[2] * ratio[2];
   const double bound = kRatioBound * (s + 1) + kRatioUnderflow;
-  if (s - 1 > bound) return Verdict::Apart;
-  if (s - 1 < -bound) return Verdict::Touching;
+  if (s - 1 > bound) return Verdict::No;
+  if (s - 1 < -bound) return Verdict::Yes;
   return Verdict::Unsure;
 }
 
@@ -62,7 +62,7 @@ Decision decide(const Ellipsoid& ellipsoid, const Aabb& box) {
   const double* semi_axes = ellipsoid.semi_axes.data();
   const auto nearest = nearest_point(box, centre);
   const Verdict verdict = triage(centre, nearest.data(), semi_axes);
-  if (verdict != Verdict::Unsure) return {verdict == Verdict::Touching, Stage::Triage};
+  if (verdict != Verdict::Unsure) return {verdict == Verdict::Yes, Stage::Triage};
   return {is_touching_exactly(centre, nearest.data(), semi_axes), Stage::Exact};
 }
 

@@ -86,7 +86,7 @@ bool intersects_exactly(const Triangle& triangle, const Sphere& sphere) {
 
 Decision decide(const Triangle& triangle, const Sphere& sphere) {
   const Verdict verdict = triage(triangle, sphere);
-  if (verdict != Verdict::Unsure) return {verdict == Verdict::Touching, Stage::Triage};
+  if (verdict != Verdict::Unsure) return {verdict == Verdict::Yes, Stage::Triage};
   return {intersects_exactly(triangle, sphere), Stage::Exact};
 }
 

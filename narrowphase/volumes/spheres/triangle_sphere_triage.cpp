@@ -234,12 +234,12 @@ constexpr double kSmallerBall = 1 - 4 * kUnitRoundoff;
 Verdict triage(const Triangle& triangle, const Sphere& sphere) {
   const Centred t = centred(triangle, sphere);
   if (!t.is_in_range) return Verdict::Unsure;
-  if (is_apart_along_axes(t)) return Verdict::Apart;
+  if (is_apart_along_axes(t)) return Verdict::No;
   Edges edge;
   find_edges(triangle, edge);
   const Guess guess = guess_nearest(t, edge);
-  if (is_touching_at(guess.weight, t)) return Verdict::Touching;
-  if (is_apart_along(guess.direction, t)) return Verdict::Apart;
+  if (is_touching_at(guess.weight, t)) return Verdict::Yes;
+  if (is_apart_along(guess.direction, t)) return Verdict::No;
   return Verdict::Unsure;
 }
 

@@ -24,9 +24,9 @@ inline Answer to_answer(bool is_hit) {
 }
 inline Answer to_answer(narrowphase::Verdict verdict) {
   switch (verdict) {
-    case narrowphase::Verdict::Apart:
+    case narrowphase::Verdict::No:
       return Answer::Apart;
-    case narrowphase::Verdict::Touching:
+    case narrowphase::Verdict::Yes:
       return Answer::Touching;
     case narrowphase::Verdict::Unsure:
       break;

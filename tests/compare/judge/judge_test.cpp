@@ -4,9 +4,9 @@
 #include <graze/engine/cases/to_case.h>
 #include <graze/engine/compare/judge/judge.h>
 #include <graze/engine/compare/judge/meshes/pair_error.h>
+#include <graze/engine/compare/judge/rational/least_translation.h>
 #include <graze/engine/compare/judge/rational/mesh_referee.h>
 #include <graze/engine/compare/judge/rational/rational_triangle.h>
-#include <graze/engine/compare/judge/rational/separating_translation.h>
 #include <graze/engine/compare/referee.h>
 #include <graze/engine/compare/run/poses/pose_source.h>
 #include <graze/engine/compare/run/trial.h>
@@ -252,7 +252,7 @@ TEST(JudgeClasses, TheWayOutIsNoShorterThanAnyPairNeeds) {
       deepest = std::max(deepest, rounded_root(squared_depth(exactly(a.triangle(pair.a)),
                                                              exactly(b.triangle(pair.b)))));
     }
-    SeparatingTranslation separating_translation(referee, pairs);
+    LeastTranslation separating_translation(referee, pairs);
     const double length = separating_translation.find();
     EXPECT_GE(length, deepest * (1 - 0x1p-40));
     EXPECT_FALSE(separating_translation.find_within(deepest / 2));

@@ -55,7 +55,7 @@ class Cases : public testing::Test {
     const Sphere ball{{1, 0.1, 0}, 0.2};
     const Triangle s{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
     const Triangle t{{0.1, 0.1, -1}, {0.1, 0.1, 1}, {5, 5, 5}};
-    const Separation apart = separating_translation(a(), b(pose_));
+    const SeparatingTranslation apart = separating_translation(a(), b(pose_));
     return {
         to_case(a(), b(pose_), intersects(a(), b(pose_))),
         to_case(a(), b(far_), intersects(a(), b(far_), {.hit = Hit::Solid}), {.hit = Hit::Solid}),

@@ -2,7 +2,7 @@
 
 #include <graze/engine/mesh/load_mesh.h>
 #include <graze/engine/mesh/mesh_contacts.h>
-#include <graze/engine/mesh/separation.h>
+#include <graze/engine/mesh/separating_translation.h>
 
 #include "tests/engine/cli/two_meshes.h"
 
@@ -41,7 +41,7 @@ TEST_F(CliContacts, AnswersAreTheLibrarysBitForBit) {
   EXPECT_EQ(contact["point_b"], array_of(contacts[0].point_b));
   ASSERT_EQ(contact["list"].size(), contacts.points.size());
   EXPECT_EQ(contact["list"][0], array_of(contacts.points[0]));
-  const Separation separation = separating_translation({mesh_a}, {mesh_b, pose});
+  const SeparatingTranslation separation = separating_translation({mesh_a}, {mesh_b, pose});
   EXPECT_EQ(answer["separation"]["distance"], separation.distance);
   EXPECT_EQ(answer["separation"]["translation"], array_of(separation.translation));
   EXPECT_GT(answer["work"]["triangle_tests"], 0);

@@ -1,6 +1,6 @@
 #include <graze/engine/mesh/mesh_contacts.h>
 #include <graze/engine/mesh/placement.h>
-#include <graze/engine/mesh/separation.h>
+#include <graze/engine/mesh/separating_translation.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include <graze/bvh/error.h>
 #include <graze/engine/mesh/load_mesh.h>
 #include <graze/engine/mesh/pair.h>
-#include <graze/engine/mesh/separation.h>
+#include <graze/engine/mesh/separating_translation.h>
 #include <graze/engine/pose_text.h>
 #include <gtest/gtest.h>
 
@@ -41,9 +41,9 @@ bool meet_from(const PlacedMesh& a, const PlacedMesh& b, const Eigen::Vector3d& 
   return false;
 }
 
-Separation expect_apart(const PlacedMesh& a, const PlacedMesh& b, const Eigen::Vector3d& direction,
-                        double reach) {
-  const Separation separation = separating_translation(a, b, direction);
+SeparatingTranslation expect_apart(const PlacedMesh& a, const PlacedMesh& b,
+                                   const Eigen::Vector3d& direction, double reach) {
+  const SeparatingTranslation separation = separating_translation(a, b, direction);
   EXPECT_GE(separation.distance, 0);
   EXPECT_FALSE(intersects(a, {b.mesh, separation.pose_b}));
   EXPECT_FALSE(meet_from(a, b, separation.direction, separation.distance, reach));
@@ -52,7 +52,7 @@ Separation expect_apart(const PlacedMesh& a, const PlacedMesh& b, const Eigen::V
   return separation;
 }
 
-TEST(Separation, BoxesLeaveByWhatTheyOverlap) {
+TEST(SeparatingTranslation, BoxesLeaveByWhatTheyOverlap) {
   const Mesh box = tests::make_box({1, 1, 1});
   const Pose pose = shifted(0.5, 0.25, 1.75);
   const auto distance = [&](double x, double y, double z) {
@@ -66,7 +66,7 @@ TEST(Separation, BoxesLeaveByWhatTheyOverlap) {
   EXPECT_GT(distance(0, 0, 1), 0.25) << "touching is not apart";
 }
 
-TEST(Separation, ABoxThatSlidesAlongAnotherIsLedPastIt) {
+TEST(SeparatingTranslation, ABoxThatSlidesAlongAnotherIsLedPastIt) {
   const Mesh box = tests::make_box({1, 1, 1});
   EXPECT_NEAR(expect_apart({box}, {box, shifted(0, 0, 2)}, {1, 0, 0}, 4).distance, 2, 1e-13);
   EXPECT_NEAR(expect_apart({box}, {box, shifted(0, 2, 2)}, {-1, 0, 0}, 4).distance, 2, 1e-13);
@@ -75,11 +75,12 @@ TEST(Separation, ABoxThatSlidesAlongAnotherIsLedPastIt) {
   EXPECT_EQ(expect_apart({box}, {box, shifted(0, 0, 2 + 1e-13)}, {1, 0, 0}, 4).distance, 0);
 }
 
-TEST(Separation, TheLastContactCountsNotTheFirstGap) {
+TEST(SeparatingTranslation, TheLastContactCountsNotTheFirstGap) {
   const Mesh box = tests::make_box({0.25, 0.25, 0.25});
   const Mesh torus = tests::make_torus(2, 0.5, 48, 24);
   // From the tube through the hole to the other side of the ring.
-  const Separation through = expect_apart({torus}, {box, shifted(2, 0, 0)}, {-1, 0, 0}, 2);
+  const SeparatingTranslation through =
+      expect_apart({torus}, {box, shifted(2, 0, 0)}, {-1, 0, 0}, 2);
   EXPECT_NEAR(through.distance, 2 + 2.5 + 0.25, 1e-12);
   EXPECT_FALSE(intersects({torus}, {box, shifted(0, 0, 0)}));
   // It starts in the hole and meets nothing upwards, and the ring sideways.
@@ -87,14 +88,14 @@ TEST(Separation, TheLastContactCountsNotTheFirstGap) {
   EXPECT_NEAR(expect_apart({torus}, {box}, {1, 0, 0}, 5).distance, 2.75, 1e-12);
 }
 
-TEST(Separation, AMeshInsideAnotherIsLedOut) {
+TEST(SeparatingTranslation, AMeshInsideAnotherIsLedOut) {
   const Mesh outer = tests::make_box({2, 2, 2});
   const Mesh inner = tests::make_box({1, 1, 1});
   ASSERT_FALSE(intersects({outer}, {inner}));
   EXPECT_NEAR(expect_apart({outer}, {inner}, {0, 1, 0}, 4).distance, 3, 1e-13);
 }
 
-TEST(Separation, SpheresLeaveByTheSumOfTheirRadii) {
+TEST(SeparatingTranslation, SpheresLeaveByTheSumOfTheirRadii) {
   const Mesh sphere = tests::make_sphere(1, 31, 64);  // with a vertex on each axis
   EXPECT_NEAR(expect_apart({sphere}, {sphere, shifted(0, 0, 0.5)}, {0, 0, 1}, 2).distance, 1.5,
               1e-13);
@@ -147,7 +148,7 @@ TEST(Law9Separation, SoupsAgreeWithBruteForce) {
         n % 3 == 0 ? tests::lattice_soup(12, 2, source) : tests::random_soup({.count = 16}, source);
     const Eigen::Vector3d direction =
         n % 2 == 0 ? source.vector(-1, 1) : source.lattice_point(-1, 1) + Eigen::Vector3d(0, 0, 3);
-    const Separation separation = expect_apart({a}, {b}, direction, 4);
+    const SeparatingTranslation separation = expect_apart({a}, {b}, direction, 4);
     EXPECT_NEAR(separation.distance, brute_force(a, b, direction), 1e-12);
     positive += separation.distance > 0;
     // Where the motion slides along a surface, the exact last contact may be earlier.
@@ -158,15 +159,15 @@ TEST(Law9Separation, SoupsAgreeWithBruteForce) {
   EXPECT_GT(positive, 40);
 }
 
-TEST(Separation, HugeOffsets) {
+TEST(SeparatingTranslation, HugeOffsets) {
   const Mesh box = tests::make_box({1, 1, 1});
   const double far = 1e9;
-  const Separation separation =
+  const SeparatingTranslation separation =
       expect_apart({box, shifted(far, far, far)}, {box, shifted(far, far, far + 1)}, {0, 0, 1}, 4);
   EXPECT_NEAR(separation.distance, 1, 1e-4);
 }
 
-TEST(Separation, DegenerateTriangles) {
+TEST(SeparatingTranslation, DegenerateTriangles) {
   const std::vector<Eigen::Vector3d> points = {{0, 0, 0}, {1, 0, 0}, {0.5, 0, 3}, {0.25, 0, 0}};
   const auto mesh_of = [&](std::uint32_t i, std::uint32_t j, std::uint32_t k) {
     const std::vector<TriangleIndices> triangles = {{i, j, k}};
@@ -203,7 +204,7 @@ TEST_P(SeparationOfParts, EndsTheLastContact) {
   const double size = (b.bounds().max - b.bounds().min).norm();
   for (std::size_t i = 0; i < poses.size(); i += 7) {
     const Eigen::Vector3d direction = source.vector(-1, 1);
-    const Separation separation = expect_apart({a}, {b, poses[i]}, direction, size);
+    const SeparatingTranslation separation = expect_apart({a}, {b, poses[i]}, direction, size);
     EXPECT_GT(separation.distance, 0);
     EXPECT_TRUE(
         meet_from({a}, {b, poses[i]}, separation.direction, separation.distance * (1 - 1e-9), 0))
@@ -215,15 +216,15 @@ INSTANTIATE_TEST_SUITE_P(Bundled, SeparationOfParts,
                          testing::Values("rock-rock.touch", "rock-rock.deep", "link-link.touch",
                                          "link-link.deep", "bolt-nut.touch", "bolt-nut.deep"));
 
-TEST(Separation, WithoutADirectionItIsNoLongerThanAlongAnAxis) {
+TEST(SeparatingTranslation, WithoutADirectionItIsNoLongerThanAlongAnAxis) {
   const Mesh box = tests::make_box({1, 1, 1});
   const PlacedMesh a{box};
   const PlacedMesh b{box, shifted(0.5, 0.25, -1.75)};
-  const Separation best = separating_translation(a, b);
+  const SeparatingTranslation best = separating_translation(a, b);
   EXPECT_FALSE(intersects(a, {box, best.pose_b}));
   EXPECT_EQ(best.direction, Eigen::Vector3d(0, 0, -1));
   EXPECT_NEAR(best.distance, 0.25, 1e-13);
-  const Separation none = separating_translation(a, {box, shifted(5, 0, 0)});
+  const SeparatingTranslation none = separating_translation(a, {box, shifted(5, 0, 0)});
   EXPECT_EQ(none.distance, 0);
   EXPECT_EQ(none.translation, Eigen::Vector3d(0, 0, 0));
   const Mesh inner = tests::make_box({0.5, 0.5, 0.5});
@@ -232,7 +233,7 @@ TEST(Separation, WithoutADirectionItIsNoLongerThanAlongAnAxis) {
   for (int n = 0; n < 20; ++n) {
     const Mesh s = tests::random_soup({.count = 20}, source);
     const Mesh t = tests::random_soup({.count = 20}, source);
-    const Separation shortest = separating_translation({s}, {t});
+    const SeparatingTranslation shortest = separating_translation({s}, {t});
     EXPECT_FALSE(intersects({s}, {t, shortest.pose_b}));
     if (!intersects({s}, {t})) continue;
     for (const Eigen::Vector3d& axis : {Eigen::Vector3d(1, 0, 0), Eigen::Vector3d(0, -1, 0)})
@@ -252,7 +253,7 @@ TEST(Law10Separation, BadInputIsRefused) {
   EXPECT_THROW(separating_translation({huge}, {huge}, {1, 0, 0}), PoseError);
 }
 
-TEST(Separation, WorkIsCounted) {
+TEST(SeparatingTranslation, WorkIsCounted) {
   const Mesh sphere = tests::make_sphere(1, 40, 40);
   Work work;
   separating_translation({sphere}, {sphere, shifted(0.3, 0, 0)}, {1, 2, 3}, &work);

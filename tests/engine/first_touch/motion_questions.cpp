@@ -45,7 +45,7 @@ Digest on_the_way(const Mesh& a, const Mesh& b) {
   const MeshPath rising(a, raised(a)), sinking(raised(b), b);
   Digest digest;
   for (const auto& met : {first_contact(rising, sinking), first_self_contact(rising),
-                          first_contact(rising, sinking, {.separation = 0.01})}) {
+                          first_contact(rising, sinking, {.clearance = 0.01})}) {
     digest << met.has_value();
     if (met) digest << met->time << met->pair.a << met->pair.b;
   }

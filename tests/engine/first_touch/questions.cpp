@@ -15,7 +15,7 @@
 #include <graze/engine/mesh/pose_batch.h>
 #include <graze/engine/mesh/prepare.h>
 #include <graze/engine/mesh/self.h>
-#include <graze/engine/mesh/separation.h>
+#include <graze/engine/mesh/separating_translation.h>
 #include <graze/engine/mesh/volume_query.h>
 #include <graze/engine/mesh/voxels.h>
 #include <graze/engine/world/shape_pairs.h>
@@ -137,8 +137,8 @@ Digest intersection(const Mesh& a, const Mesh& b) {
 }
 
 Digest separation(const Mesh& a, const Mesh& b) {
-  const Separation along = separating_translation({a}, {b, near()}, {0, 0, 1});
-  const Separation any = separating_translation({a}, {b, near()});
+  const SeparatingTranslation along = separating_translation({a}, {b, near()}, {0, 0, 1});
+  const SeparatingTranslation any = separating_translation({a}, {b, near()});
   return Digest() << along.distance << along.translation << any.distance << any.translation;
 }
 

@@ -27,7 +27,7 @@ void add_hit(Words& words, const RayHit& hit) {
   words.add(std::uint64_t{hit.triangle});
 }
 
-void add_separation(Words& words, const Separation& found) {
+void add_separation(Words& words, const SeparatingTranslation& found) {
   words.add(found.distance), words.add(found.direction), words.add(found.translation);
   words.add(found.pose_b);
 }

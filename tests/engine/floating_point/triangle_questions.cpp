@@ -88,7 +88,7 @@ std::vector<Question> triangle_questions() {
            first_contacts(std::span(&moving, 1), std::span(&other, 1), contacts);
            add_contact(words, contacts[0]);
            add_contact(words, first_contact(moving.a, other, {.start = StartContact::IsLeft}));
-           add_contact(words, first_contact(moving.a, other, {.separation = 0.0625}));
+           add_contact(words, first_contact(moving.a, other, {.clearance = 0.0625}));
            add_contact(words, cast(in.triangle_a, in.triangles[i], in.triangles[i + 1].a));
            add_contact(words,
                        cast(in.triangle_a, Sphere{in.triangles[i].b, 0.25}, in.triangles[i + 1].a));

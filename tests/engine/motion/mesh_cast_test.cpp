@@ -5,7 +5,7 @@
 #include <graze/engine/mesh/load_mesh.h>
 #include <graze/engine/mesh/mesh_cast.h>
 #include <graze/engine/mesh/placement.h>
-#include <graze/engine/mesh/separation.h>
+#include <graze/engine/mesh/separating_translation.h>
 #include <graze/narrowphase/cast.h>
 #include <graze/narrowphase/triangle_distance.h>
 #include <gtest/gtest.h>
@@ -259,7 +259,7 @@ TEST(Law13Meshes, ASeparationLeadsBackToTheLastContact) {
   for (int n = 0; n < 20; ++n) {
     const Mesh a = tests::random_soup({.count = 60, .size = 0.4}, source);
     const Mesh b = tests::random_soup({.count = 60, .size = 0.4}, source);
-    const Separation apart = separating_translation({a}, {b}, source.vector(-1, 1));
+    const SeparatingTranslation apart = separating_translation({a}, {b}, source.vector(-1, 1));
     ASSERT_GT(apart.distance, 0);
     const auto back = cast({a}, {b, apart.pose_b}, -apart.translation);
     ASSERT_TRUE(back);

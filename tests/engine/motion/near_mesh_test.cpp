@@ -151,14 +151,14 @@ TEST(Law12NearMeshes, AStepToTheTimeKeepsTheDistance) {
     const MeshPath low = moving(strip(3, 0, source), 0.05, {0, 0, 0.3}, source);
     const MeshPath high = moving(strip(4, 0.7, source), 0.05, {0, 0, -0.5}, source);
     Work work;
-    const auto found = first_contact(low, high, {.separation = 0.1}, &work);
+    const auto found = first_contact(low, high, {.clearance = 0.1}, &work);
     ASSERT_TRUE(found);
     EXPECT_NEAR(distance_at(low, high, found->time), 0.1, 1e-12);
     EXPECT_GT(distance_at(low, high, 0.99 * found->time), 0.1);
     EXPECT_LT(found->time, first_contact(low, high)->time);
-    expect_same(found, each_with_each(low, high, {.separation = 0.1}));
+    expect_same(found, each_with_each(low, high, {.clearance = 0.1}));
     EXPECT_FALSE(first_contact(low, moving(strip(2, 9, source), 0.1, {0, 0, -0.5}, source),
-                               {.separation = 0.1}));
+                               {.clearance = 0.1}));
   }
 }
 
@@ -188,7 +188,7 @@ TEST(Law12NearMeshes, AllContactsInAStepHaveTheFirst) {
   RandomSource source(144);
   const MeshPath low = moving(strip(2, 0, source), 0.05, {0, 0, 0.3}, source);
   const MeshPath high = moving(strip(2, 0.4, source), 0.05, {0, 0, -0.2}, source);
-  const FirstContactSettings settings{.separation = 0.05};
+  const FirstContactSettings settings{.clearance = 0.05};
   const auto all = find_contacts_in_step(low, high, settings);
   const auto first = first_contact(low, high, settings);
   ASSERT_TRUE(first);
@@ -211,11 +211,11 @@ TEST(Law12NearMeshes, HugeAndTiny) {
       return floor.deformed(vertices);
     };
     const MeshPath rest(floor, floor), falls(lifted(4), lifted(0));
-    const auto met = first_contact(rest, falls, {.separation = scale});
+    const auto met = first_contact(rest, falls, {.clearance = scale});
     ASSERT_TRUE(met);
     EXPECT_EQ(met->time, 0.75);
     const MeshPath stays(lifted(4), lifted(3));
-    EXPECT_FALSE(first_contact(rest, stays, {.separation = 2 * scale}));
+    EXPECT_FALSE(first_contact(rest, stays, {.clearance = 2 * scale}));
   }
 }
 
@@ -223,10 +223,10 @@ TEST(Law12NearMeshes, RefusesWhatIsNoDistance) {
   RandomSource source(145);
   const MeshPath path = moving(strip(1, 0, source), 0.05, {0, 0, 0.3}, source);
   for (const double bad : {-1.0, std::numeric_limits<double>::quiet_NaN()}) {
-    EXPECT_THROW(first_contact(path, path, {.separation = bad}), InputError);
-    EXPECT_THROW(first_self_contact(path, {.separation = bad}), InputError);
-    EXPECT_THROW(find_contacts_in_step(path, path, {.separation = bad}), InputError);
-    EXPECT_THROW(find_self_contacts_in_step(path, {.separation = bad}), InputError);
+    EXPECT_THROW(first_contact(path, path, {.clearance = bad}), InputError);
+    EXPECT_THROW(first_self_contact(path, {.clearance = bad}), InputError);
+    EXPECT_THROW(find_contacts_in_step(path, path, {.clearance = bad}), InputError);
+    EXPECT_THROW(find_self_contacts_in_step(path, {.clearance = bad}), InputError);
   }
 }
 

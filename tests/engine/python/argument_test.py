@@ -125,7 +125,7 @@ CALLS = [
     lambda: MOTION.at([[0.5]]),
     lambda: MOTION.at([NAN]),
     lambda: graze.MeshPath(MESH, OPEN),
-    lambda: graze.first_contact_in_step(PATH, PATH, separation=-1),
+    lambda: graze.first_contact_in_step(PATH, PATH, clearance=-1),
     lambda: graze.find_self_contacts_in_step(PATH, start=None),
     lambda: graze.find_triangles(MESH, [[1, 1, 1], [0, 0, 0]]),
     lambda: graze.find_triangles(MESH, graze.Cone(1, 1)),

@@ -17,7 +17,7 @@ def test_two_meshes_that_deform(unit_cube):
     flying = graze.MeshPath(unit_cube, moved(unit_cube, 4, 0, 0))
     met = graze.first_contact_in_step(flying, still)
     assert met.time == 0.5 and not met.is_at_start and met.features in ("vertex-face", "face-vertex", "edge-edge")
-    assert graze.first_contact_in_step(flying, still, separation=1).time == 0.25
+    assert graze.first_contact_in_step(flying, still, clearance=1).time == 0.25
     assert graze.first_contact_in_step(still, still).is_at_start
     apart = graze.MeshPath(unit_cube, moved(unit_cube, -1, 0, 0))
     assert graze.first_contact_in_step(apart, still) is None
@@ -47,9 +47,9 @@ def test_bad_paths(unit_cube):
     with pytest.raises(graze.MeshError):
         graze.MeshPath(unit_cube, graze.Mesh(unit_cube.vertices, unit_cube.triangles[1:]))
     path = graze.MeshPath(unit_cube, unit_cube)
-    for separation in (-1, np.nan, np.inf, "far"):
-        with pytest.raises(graze.InputError, match="separation"):
-            graze.first_contact_in_step(path, path, separation=separation)
+    for clearance in (-1, np.nan, np.inf, "far"):
+        with pytest.raises(graze.InputError, match="clearance"):
+            graze.first_contact_in_step(path, path, clearance=clearance)
     with pytest.raises(graze.InputError, match="start"):
         graze.first_self_contact(path, start="soon")
     with pytest.raises(TypeError):

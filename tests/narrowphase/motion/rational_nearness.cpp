@@ -103,8 +103,8 @@ struct Question {
   mpq_class square;
   std::vector<Feature> features;
 
-  Question(const std::array<PointPath, 4>& four, bool are_edges, double separation)
-      : paths(four), is_edges(are_edges), square(mpq_class(separation) * mpq_class(separation)) {
+  Question(const std::array<PointPath, 4>& four, bool are_edges, double clearance)
+      : paths(four), is_edges(are_edges), square(mpq_class(clearance) * mpq_class(clearance)) {
     for (int i = 0; i < 4; ++i) {
       for (int k = 0; k < 3; ++k) {
         const mpq_class start(paths[i].start[k]), end(paths[i].end[k]);
@@ -222,13 +222,13 @@ std::optional<FirstContact> answer(const Question& question, StartContact start)
 
 std::optional<FirstContact> rational_nearness(const PointPath& point, const TrianglePath& triangle,
                                               const FirstContactSettings& settings) {
-  return answer({{point, triangle.a, triangle.b, triangle.c}, false, settings.separation},
+  return answer({{point, triangle.a, triangle.b, triangle.c}, false, settings.clearance},
                 settings.start);
 }
 
 std::optional<FirstContact> rational_nearness(const EdgePath& a, const EdgePath& b,
                                               const FirstContactSettings& settings) {
-  return answer({{a.a, a.b, b.a, b.b}, true, settings.separation}, settings.start);
+  return answer({{a.a, a.b, b.a, b.b}, true, settings.clearance}, settings.start);
 }
 
 }  // namespace graze::oracle

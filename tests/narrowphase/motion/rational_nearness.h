@@ -1,6 +1,6 @@
 #pragma once
 
-// Law 12 with a separation by its definition, in rational arithmetic: time falls into the roots of
+// Law 12 with a clearance by its definition, in rational arithmetic: time falls into the roots of
 // every polynomial that matters and the stretches between them; in each of these the hulls'
 // distance at one time is measured.
 

@@ -2,8 +2,8 @@
 #include <graze/engine/compare/judge/meshes/pair_error.h>
 #include <graze/engine/compare/judge/rational/box_tree.h>
 #include <graze/engine/compare/judge/rational/in_metres.h>
+#include <graze/engine/compare/judge/rational/least_translation.h>
 #include <graze/engine/compare/judge/rational/rational_box.h>
-#include <graze/engine/compare/judge/rational/separating_translation.h>
 #include <graze/engine/compare/judge/rational/volume_error.h>
 #include <graze/engine/compare/judge/shape_judge.h>
 #include <graze/engine/mesh/placement.h>
@@ -94,7 +94,7 @@ class SurfaceAndVolume {
     const MeshReferee referee({surface}, {*box});
     const std::vector<TrianglePair> pairs = referee.find_hits();
     if (pairs.empty()) return;
-    SeparatingTranslation separating_translation(referee, pairs);
+    LeastTranslation separating_translation(referee, pairs);
     const double ulp = judgement_ulp(triangles_[hits_.front()]);
     if (separating_translation.find_within(kTouchUlps * ulp)) return;
     judgement.error_class = ErrorClass::Real;

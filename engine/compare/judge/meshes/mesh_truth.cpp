@@ -3,8 +3,8 @@
 #include <graze/engine/compare/judge/meshes/mesh_truth.h>
 #include <graze/engine/compare/judge/meshes/witness_check.h>
 #include <graze/engine/compare/judge/rational/in_metres.h>
+#include <graze/engine/compare/judge/rational/least_translation.h>
 #include <graze/engine/compare/judge/rational/rational_triangle.h>
-#include <graze/engine/compare/judge/rational/separating_translation.h>
 
 #include <algorithm>
 #include <array>
@@ -92,7 +92,7 @@ void MeshTruth::add_missed_hit(Judgement& judgement) {
                                           [&](const TrianglePair& pair) { return has_area(pair); });
   if (are_triangles || is_degenerate) return;
 
-  SeparatingTranslation separating_translation(referee_, hits());
+  LeastTranslation separating_translation(referee_, hits());
   const bool may_be_rounding = judgement.error_class != ErrorClass::Real;
   const std::optional<double> length =
       may_be_rounding ? separating_translation.find_within(kTouchUlps * ulp) : std::nullopt;

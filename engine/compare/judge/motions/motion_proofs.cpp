@@ -3,7 +3,7 @@
 #include <graze/engine/compare/judge/motions/motion_proofs.h>
 #include <graze/engine/mesh/distance.h>
 #include <graze/engine/mesh/rigid_certificate.h>
-#include <graze/engine/mesh/separation.h>
+#include <graze/engine/mesh/separating_translation.h>
 #include <graze/engine/world/shape_bounds.h>
 #include <graze/engine/world/shape_pairs.h>
 

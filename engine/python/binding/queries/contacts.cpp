@@ -6,7 +6,7 @@
 
 #include <graze/engine/mesh/mesh_contacts.h>
 #include <graze/engine/mesh/mesh_intersection.h>
-#include <graze/engine/mesh/separation.h>
+#include <graze/engine/mesh/separating_translation.h>
 #include <graze/engine/world/manifold.h>
 
 namespace graze::python {
@@ -153,13 +153,13 @@ py::object intersections_of(py::handle a, py::handle b, py::handle threads, py::
 
 py::object separations_of(py::handle a, py::handle b, py::handle direction, py::handle threads,
                           py::handle progress, py::handle work) {
-  static const ResultType kSingle("Separation");
+  static const ResultType kSingle("SeparatingTranslation");
   static const ResultType kMany("Separations");
   const PlacedPair pair(a, b);
   pair.require_meshes("separating_translation");
   std::optional<Eigen::Vector3d> along;
   if (!direction.is_none()) along = vector_from(direction, "direction");
-  const auto answers = ask_all<Separation>(
+  const auto answers = ask_all<SeparatingTranslation>(
       pair, Batch(threads, progress), work_from(work), [&](std::size_t i, Work* own) {
         const PlacedMeshView mesh_a = pair.a.mesh_at(i);
         const PlacedMeshView mesh_b = pair.b.mesh_at(i);
@@ -167,13 +167,13 @@ py::object separations_of(py::handle a, py::handle b, py::handle direction, py::
                      : separating_translation(mesh_a, mesh_b, own);
       });
   if (!pair.is_many()) {
-    const Separation& found = answers[0];
+    const SeparatingTranslation& found = answers[0];
     return kSingle(found.distance, array_of(found.direction), array_of(found.translation),
                    array_of(found.pose_b));
   }
   auto poses = new_array<double>({static_cast<py::ssize_t>(answers.size()), 4, 4});
   double* at = poses.mutable_data();
-  for (const Separation& found : answers) {
+  for (const SeparatingTranslation& found : answers) {
     for (int row = 0; row < 4; ++row) {
       for (int column = 0; column < 4; ++column)
         *at++ = found.pose_b.matrix()(row, column);
@@ -229,7 +229,7 @@ constexpr const char* kSeparatingText =
     R"(separating_translation(a, b, direction=None, *, threads=0, progress=None, work=None)
 --
 
-A translation of B after which two meshes are apart: a Separation of `distance`, `direction`, `translation` and
+A translation of B after which two meshes are apart: a SeparatingTranslation of `distance`, `direction`, `translation` and
 `pose_b`. Along a direction of any length it is the last contact; without one the shortest that is found, which is no
 less than the smallest one. With many poses Separations: arrays.
 

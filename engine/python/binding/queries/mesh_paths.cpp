@@ -26,8 +26,8 @@ const char* words_of(MeetingFeatures features) {
   return "at-start";
 }
 
-FirstContactSettings settings_from(py::handle start, py::handle separation) {
-  return {.start = start_from(start), .separation = number_from(separation, "separation")};
+FirstContactSettings settings_from(py::handle start, py::handle clearance) {
+  return {.start = start_from(start), .clearance = number_from(clearance, "clearance")};
 }
 
 py::object contact_of(const std::optional<MeshFirstContact>& contact) {
@@ -77,18 +77,18 @@ Raises MeshError for meshes that differ in their number of vertices or in a tria
 )";
 
 constexpr const char* kFirstText =
-    R"(first_contact_in_step(path_a, path_b, *, separation=0.0, start='counts', work=None)
+    R"(first_contact_in_step(path_a, path_b, *, clearance=0.0, start='counts', work=None)
 --
 
 When the triangles of two meshes that deform meet first, exactly and never late: a MeshFirstContact, or None if they never
-do. What is no further apart than `separation`, metres, counts as a contact. With `start` "is_left" what merely touches at
+do. What is no further apart than `clearance`, metres, counts as a contact. With `start` "is_left" what merely touches at
 t = 0 may leave.
 
-Raises InputError for a separation that is negative or not finite.
+Raises InputError for a clearance that is negative or not finite.
 )";
 
 constexpr const char* kAllText =
-    R"(find_contacts_in_step(path_a, path_b, *, separation=0.0, start='counts', work=None)
+    R"(find_contacts_in_step(path_a, path_b, *, clearance=0.0, start='counts', work=None)
 --
 
 All contacts in a step, of each pair of vertices and faces, or of edges, when it first meets: MeshFirstContacts, by pairs
@@ -98,36 +98,36 @@ of triangles. Raises what first_contact_in_step() raises.
 void add_pairs(py::module_& module) {
   module.def(
       "first_contact_in_step",
-      [](const MeshPath& a, const MeshPath& b, py::handle separation, py::handle start,
+      [](const MeshPath& a, const MeshPath& b, py::handle clearance, py::handle start,
          py::handle work_argument) {
-        const FirstContactSettings settings = settings_from(start, separation);
+        const FirstContactSettings settings = settings_from(start, clearance);
         Work* work = work_from(work_argument);
         return contact_of(without_lock([&] { return first_contact(a, b, settings, work); }));
       },
-      kFirstText, py::arg("path_a"), py::arg("path_b"), py::kw_only(), py::arg("separation") = 0.0,
+      kFirstText, py::arg("path_a"), py::arg("path_b"), py::kw_only(), py::arg("clearance") = 0.0,
       py::arg("start") = "counts", py::arg("work") = py::none());
   module.def(
       "find_contacts_in_step",
-      [](const MeshPath& a, const MeshPath& b, py::handle separation, py::handle start,
+      [](const MeshPath& a, const MeshPath& b, py::handle clearance, py::handle start,
          py::handle work_argument) {
-        const FirstContactSettings settings = settings_from(start, separation);
+        const FirstContactSettings settings = settings_from(start, clearance);
         Work* work = work_from(work_argument);
         return contacts_of(
             without_lock([&] { return find_contacts_in_step(a, b, settings, work); }));
       },
-      kAllText, py::arg("path_a"), py::arg("path_b"), py::kw_only(), py::arg("separation") = 0.0,
+      kAllText, py::arg("path_a"), py::arg("path_b"), py::kw_only(), py::arg("clearance") = 0.0,
       py::arg("start") = "counts", py::arg("work") = py::none());
 }
 
 void add_selves(py::module_& module) {
   module.def(
       "first_self_contact",
-      [](const MeshPath& path, py::handle separation, py::handle start, py::handle work_argument) {
-        const FirstContactSettings settings = settings_from(start, separation);
+      [](const MeshPath& path, py::handle clearance, py::handle start, py::handle work_argument) {
+        const FirstContactSettings settings = settings_from(start, clearance);
         Work* work = work_from(work_argument);
         return contact_of(without_lock([&] { return first_self_contact(path, settings, work); }));
       },
-      R"(first_self_contact(path, *, separation=0.0, start='counts', work=None)
+      R"(first_self_contact(path, *, clearance=0.0, start='counts', work=None)
 --
 
 The same of a mesh with itself: what has a vertex in common is a hit only where it crosses at t = 0.
@@ -135,17 +135,17 @@ The same of a mesh with itself: what has a vertex in common is a hit only where 
 >>> graze.first_self_contact(graze.MeshPath(bolt, bolt)) is None
 True
 )",
-      py::arg("path"), py::kw_only(), py::arg("separation") = 0.0, py::arg("start") = "counts",
+      py::arg("path"), py::kw_only(), py::arg("clearance") = 0.0, py::arg("start") = "counts",
       py::arg("work") = py::none());
   module.def(
       "find_self_contacts_in_step",
-      [](const MeshPath& path, py::handle separation, py::handle start, py::handle work_argument) {
-        const FirstContactSettings settings = settings_from(start, separation);
+      [](const MeshPath& path, py::handle clearance, py::handle start, py::handle work_argument) {
+        const FirstContactSettings settings = settings_from(start, clearance);
         Work* work = work_from(work_argument);
         return contacts_of(
             without_lock([&] { return find_self_contacts_in_step(path, settings, work); }));
       },
-      R"(find_self_contacts_in_step(path, *, separation=0.0, start='counts', work=None)
+      R"(find_self_contacts_in_step(path, *, clearance=0.0, start='counts', work=None)
 --
 
 All contacts of a mesh with itself in a step: MeshFirstContacts.
@@ -153,7 +153,7 @@ All contacts of a mesh with itself in a step: MeshFirstContacts.
 >>> len(graze.find_self_contacts_in_step(graze.MeshPath(bolt, bolt)).time)
 0
 )",
-      py::arg("path"), py::kw_only(), py::arg("separation") = 0.0, py::arg("start") = "counts",
+      py::arg("path"), py::kw_only(), py::arg("clearance") = 0.0, py::arg("start") = "counts",
       py::arg("work") = py::none());
 }
 

@@ -3,7 +3,7 @@
 #include <graze/engine/mesh/pair.h>
 #include <graze/engine/mesh/placement.h>
 #include <graze/engine/mesh/query/query_results.h>
-#include <graze/engine/mesh/separation.h>
+#include <graze/engine/mesh/separating_translation.h>
 #include <graze/engine/mesh/sweep/last_contact.h>
 #include <graze/engine/mesh/sweep/sweep.h>
 
@@ -13,8 +13,9 @@
 namespace graze {
 namespace {
 
-Separation separation_of(double distance, const Eigen::Vector3d& direction, const Pose& pose_b) {
-  Separation separation{distance, direction, {}, pose_b};
+SeparatingTranslation separation_of(double distance, const Eigen::Vector3d& direction,
+                                    const Pose& pose_b) {
+  SeparatingTranslation separation{distance, direction, {}, pose_b};
   for (int k = 0; k < 3; ++k) {
     separation.translation.data()[k] = distance * direction.data()[k];
     separation.pose_b.data()[12 + k] += separation.translation.data()[k];
@@ -25,9 +26,9 @@ Separation separation_of(double distance, const Eigen::Vector3d& direction, cons
 /// Lengthens the distance until the exact test, which has the last word, says that the meshes are
 /// apart: the bound covers all rounding, but is not trusted. Steps double, so that they end even
 /// where the first vanish in the pose's translation.
-Separation end_contact(const PlacedMeshView& a, const PlacedMeshView& b,
-                       const Eigen::Vector3d& direction, double distance, Work& work) {
-  Separation separation = separation_of(distance, direction, b.pose);
+SeparatingTranslation end_contact(const PlacedMeshView& a, const PlacedMeshView& b,
+                                  const Eigen::Vector3d& direction, double distance, Work& work) {
+  SeparatingTranslation separation = separation_of(distance, direction, b.pose);
   double step = 0x1p-48 * distance + std::numeric_limits<double>::denorm_min();
   for (; intersects(a, {b.mesh, separation.pose_b}, &work); step *= 2) {
     distance += step;
@@ -60,9 +61,10 @@ std::vector<Eigen::Vector3d> candidates(const PlacedMeshView& a, const PlacedMes
 
 }  // namespace
 
-Separation separating_translation(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b,
-                                  const Eigen::Vector3d& direction, Work* work) {
-  return bvh::in_standard_arithmetic([&]() -> Separation {
+SeparatingTranslation separating_translation(const PlacedMeshView& mesh_a,
+                                             const PlacedMeshView& mesh_b,
+                                             const Eigen::Vector3d& direction, Work* work) {
+  return bvh::in_standard_arithmetic([&]() -> SeparatingTranslation {
     CountedWork counted(work);
     check_placement(mesh_a.pose, mesh_a.mesh.bounds(), "pose of mesh A");
     check_placement(mesh_b.pose, mesh_b.mesh.bounds(), "pose of mesh B");
@@ -72,9 +74,9 @@ Separation separating_translation(const PlacedMeshView& mesh_a, const PlacedMesh
   });
 }
 
-Separation separating_translation(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b,
-                                  Work* work) {
-  return bvh::in_standard_arithmetic([&]() -> Separation {
+SeparatingTranslation separating_translation(const PlacedMeshView& mesh_a,
+                                             const PlacedMeshView& mesh_b, Work* work) {
+  return bvh::in_standard_arithmetic([&]() -> SeparatingTranslation {
     CountedWork counted(work);
     if (!intersects(mesh_a, mesh_b, &counted.work()))
       return separation_of(0, {1, 0, 0}, mesh_b.pose);

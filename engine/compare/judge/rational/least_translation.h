@@ -18,10 +18,10 @@ namespace graze::compare {
 /// translation that parts each pair. Along one of them the answer is exact, in rational numbers:
 /// each pair of triangles meets for an interval of lengths, and the first length that no interval
 /// goes beyond separates the two. So a length found is always enough, an upper bound of the depth.
-class SeparatingTranslation {
+class LeastTranslation {
  public:
   /// Keeps `hits`, which are all that there are; both must outlive it.
-  SeparatingTranslation(const MeshReferee& referee, const std::vector<TrianglePair>& hits);
+  LeastTranslation(const MeshReferee& referee, const std::vector<TrianglePair>& hits);
 
   /// Returns the length of the shortest translation found, metres, if it is no longer than `limit`.
   std::optional<double> find_within(double limit);

@@ -6,14 +6,14 @@
 namespace graze {
 
 /// A translation of B after which two meshes are apart.
-struct Separation {
+struct SeparatingTranslation {
   double distance;              ///< along `direction`, metres, >= 0
   Eigen::Vector3d direction;    ///< a unit vector, to a few ulp
   Eigen::Vector3d translation;  ///< the product distance * direction, metres, each coordinate
                                 ///< rounded
   Pose pose_b;                  ///< the pose of B with `translation` added to its own, rounded
 
-  bool operator==(const Separation& other) const {
+  bool operator==(const SeparatingTranslation& other) const {
     return distance == other.distance && direction == other.direction &&
            translation == other.translation && are_equal(pose_b, other.pose_b);
   }
@@ -31,14 +31,16 @@ struct Separation {
 /// Only surfaces count: a mesh inside another is led out of it. Throws InputError for a direction
 /// that is zero or not finite, PoseError as intersects() does, also for a pose of B that would
 /// overflow.
-Separation separating_translation(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b,
-                                  const Eigen::Vector3d& direction, Work* work = nullptr);
+SeparatingTranslation separating_translation(const PlacedMeshView& mesh_a,
+                                             const PlacedMeshView& mesh_b,
+                                             const Eigen::Vector3d& direction,
+                                             Work* work = nullptr);
 
 /// Returns the shortest of these translations along the normals of the deepest contacts, the axes
 /// and the line between the middles of the meshes, each both ways. It separates the meshes, and so
 /// is no shorter than the shortest one that does; by how much longer is not known. It is zero if
 /// the surfaces do not meet. Throws likewise.
-Separation separating_translation(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b,
-                                  Work* work = nullptr);
+SeparatingTranslation separating_translation(const PlacedMeshView& mesh_a,
+                                             const PlacedMeshView& mesh_b, Work* work = nullptr);
 
 }  // namespace graze

@@ -1,4 +1,4 @@
-#include <graze/engine/compare/judge/rational/separating_translation.h>
+#include <graze/engine/compare/judge/rational/least_translation.h>
 
 #include <algorithm>
 #include <cmath>
@@ -62,8 +62,8 @@ Triangle moved_box(const Triangle& t, const Eigen::Vector3d& by) {
 
 }  // namespace
 
-SeparatingTranslation::SeparatingTranslation(const MeshReferee& referee,
-                                             const std::vector<TrianglePair>& hits)
+LeastTranslation::LeastTranslation(const MeshReferee& referee,
+                                   const std::vector<TrianglePair>& hits)
     : referee_(referee), hits_(hits) {
   const std::size_t known = std::min(hits.size(), kMaxKnown);
   for (std::size_t i = 0; i < known; ++i) {
@@ -75,8 +75,8 @@ SeparatingTranslation::SeparatingTranslation(const MeshReferee& referee,
     add_direction(Eigen::Vector3d::Unit(axis));
 }
 
-std::vector<SeparatingTranslation::Slab> SeparatingTranslation::slabs_of(
-    const RationalTriangle& a, const RationalTriangle& b) {
+std::vector<LeastTranslation::Slab> LeastTranslation::slabs_of(const RationalTriangle& a,
+                                                               const RationalTriangle& b) {
   std::vector<Slab> slabs;
   for (RationalPoint& axis : axes_of(a, b)) {
     const Extent in_a = extent_of(a, axis);
@@ -86,8 +86,8 @@ std::vector<SeparatingTranslation::Slab> SeparatingTranslation::slabs_of(
   return slabs;
 }
 
-SeparatingTranslation::Interval SeparatingTranslation::interval_of(const std::vector<Slab>& slabs,
-                                                                   const RationalPoint& direction) {
+LeastTranslation::Interval LeastTranslation::interval_of(const std::vector<Slab>& slabs,
+                                                         const RationalPoint& direction) {
   Interval result;
   bool has_slab = false;
   for (const Slab& slab : slabs) {
@@ -109,20 +109,20 @@ SeparatingTranslation::Interval SeparatingTranslation::interval_of(const std::ve
   return result;
 }
 
-SeparatingTranslation::Interval SeparatingTranslation::interval_of(std::size_t hit,
-                                                                   const RationalPoint& direction) {
+LeastTranslation::Interval LeastTranslation::interval_of(std::size_t hit,
+                                                         const RationalPoint& direction) {
   if (hit < known_slabs_.size()) return interval_of(known_slabs_[hit], direction);
   return interval_of(hits_[hit], direction);
 }
 
-SeparatingTranslation::Interval SeparatingTranslation::interval_of(
-    const TrianglePair& pair, const RationalPoint& direction) const {
+LeastTranslation::Interval LeastTranslation::interval_of(const TrianglePair& pair,
+                                                         const RationalPoint& direction) const {
   return interval_of(
       slabs_of(exactly(referee_.triangle_a(pair.a)), exactly(referee_.triangle_b(pair.b))),
       direction);
 }
 
-void SeparatingTranslation::add_direction(const Eigen::Vector3d& direction) {
+void LeastTranslation::add_direction(const Eigen::Vector3d& direction) {
   const Eigen::Vector3d opposite = -direction;
   for (const Eigen::Vector3d& candidate : {direction, opposite}) {
     if (!candidate.allFinite() || candidate.isZero()) continue;
@@ -134,7 +134,7 @@ void SeparatingTranslation::add_direction(const Eigen::Vector3d& direction) {
   }
 }
 
-void SeparatingTranslation::add_directions(std::size_t hit) {
+void LeastTranslation::add_directions(std::size_t hit) {
   const mpq_class unknown = -1;
   mpq_class best = unknown;
   RationalPoint soonest;
@@ -162,7 +162,7 @@ void SeparatingTranslation::add_directions(std::size_t hit) {
 }
 
 /// Returns how far B must go until a plane across the direction parts the two.
-double SeparatingTranslation::length_along(const Eigen::Vector3d& direction) const {
+double LeastTranslation::length_along(const Eigen::Vector3d& direction) const {
   double most_a = -std::numeric_limits<double>::infinity();
   double least_b = std::numeric_limits<double>::infinity();
   for (const Triangle& t : referee_.triangles_a())
@@ -172,14 +172,14 @@ double SeparatingTranslation::length_along(const Eigen::Vector3d& direction) con
   return std::max(most_a - least_b, 0.0);
 }
 
-bool SeparatingTranslation::may_look() {
+bool LeastTranslation::may_look() {
   if (effort_ == 0) return false;
   --effort_;
   return true;
 }
 
-std::optional<mpq_class> SeparatingTranslation::march(const Eigen::Vector3d& direction,
-                                                      const mpq_class& limit) {
+std::optional<mpq_class> LeastTranslation::march(const Eigen::Vector3d& direction,
+                                                 const mpq_class& limit) {
   const RationalPoint d = exactly(direction);
   const mpq_class length = dot(d, d);
   const auto is_too_far = [&](const mpq_class& t) { return t * t * length > limit; };
@@ -212,7 +212,7 @@ std::optional<mpq_class> SeparatingTranslation::march(const Eigen::Vector3d& dir
   }
 }
 
-std::optional<double> SeparatingTranslation::find_within(double limit) {
+std::optional<double> LeastTranslation::find_within(double limit) {
   std::optional<mpq_class> best;
   mpq_class square = mpq_class(limit) * mpq_class(limit);
   for (const Eigen::Vector3d& direction : directions_) {
@@ -227,7 +227,7 @@ std::optional<double> SeparatingTranslation::find_within(double limit) {
   return rounded_root(*best);
 }
 
-double SeparatingTranslation::find() {
+double LeastTranslation::find() {
   struct Candidate {
     double length;
     Eigen::Vector3d direction;

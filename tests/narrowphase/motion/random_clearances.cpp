@@ -1,4 +1,4 @@
-#include "tests/narrowphase/motion/random_separations.h"
+#include "tests/narrowphase/motion/random_clearances.h"
 
 #include <cmath>
 
@@ -19,13 +19,13 @@ PointPath still(const Eigen::Vector3d& p) {
 
 /// A point, or an edge, that passes a triangle, or an edge at rest, exactly five away at its
 /// nearest: from a corner, an edge, a face; or by a hair.
-SeparationQuery passing(RandomSource& source) {
+ClearanceQuery passing(RandomSource& source) {
   const double x = static_cast<double>(source.integer(1, 5));
-  SeparationQuery query{{{{point(-x, 3, 4), point(2 * x, 3, 4)},
-                          still(point(0, 0, 0)),
-                          still(point(-3, -1, -2)),
-                          still(point(-2, -2, -5))}},
-                        5};
+  ClearanceQuery query{{{{point(-x, 3, 4), point(2 * x, 3, 4)},
+                         still(point(0, 0, 0)),
+                         still(point(-3, -1, -2)),
+                         still(point(-2, -2, -5))}},
+                       5};
   switch (one_of(source, 3)) {
     case 0:
       break;
@@ -42,14 +42,14 @@ SeparationQuery passing(RandomSource& source) {
       query.paths.path[3] = {point(0, 9, x), point(0, 9, -3 * x)};
   }
   const int by = one_of(source, 3);
-  if (by == 1) query.separation = std::nextafter(5.0, 4);
-  if (by == 2) query.separation = std::nextafter(5.0, 6);
+  if (by == 1) query.clearance = std::nextafter(5.0, 4);
+  if (by == 2) query.clearance = std::nextafter(5.0, 6);
   return query;
 }
 
 /// All goes the same way: near always or never, or at an end.
-SeparationQuery together(RandomSource& source) {
-  SeparationQuery query{random_paths(1, source), 0.5 * static_cast<double>(source.integer(1, 6))};
+ClearanceQuery together(RandomSource& source) {
+  ClearanceQuery query{random_paths(1, source), 0.5 * static_cast<double>(source.integer(1, 6))};
   const Eigen::Vector3d way = source.lattice_point(-2, 2);
   for (PointPath& path : query.paths.path)
     path.end = path.start + way;
@@ -57,29 +57,29 @@ SeparationQuery together(RandomSource& source) {
   return query;
 }
 
-/// A separation that is nearly the least distance of a point from a corner.
-SeparationQuery grazing(RandomSource& source) {
-  SeparationQuery query{random_paths(0, source), 0};
+/// A clearance that is nearly the least distance of a point from a corner.
+ClearanceQuery grazing(RandomSource& source) {
+  ClearanceQuery query{random_paths(0, source), 0};
   const PointPath &p = query.paths.path[0], &q = query.paths.path[2];
   const Eigen::Vector3d from = p.start - q.start, way = (p.end - q.end) - from;
   const double time = std::min(std::max(-from.dot(way) / way.squaredNorm(), 0.0), 1.0);
   const double more = source.uniform(-1, 1);
-  query.separation = (from + time * way).norm() * (1 + std::ldexp(more, -one_of(source, 54)));
+  query.clearance = (from + time * way).norm() * (1 + std::ldexp(more, -one_of(source, 54)));
   return query;
 }
 
 }  // namespace
 
-bool is_long_separation_kind(int kind) {
+bool is_long_clearance_kind(int kind) {
   return kind == 10 || kind == 11;
 }
 
-const char* name_of_separation_kind(int kind) {
+const char* name_of_clearance_kind(int kind) {
   static constexpr const char* kNames[] = {"passing", "together", "grazing"};
   return kind < kPathKinds ? name_of_path_kind(kind) : kNames[kind - kPathKinds];
 }
 
-SeparationQuery random_separation(int kind, RandomSource& source) {
+ClearanceQuery random_clearance(int kind, RandomSource& source) {
   if (kind == kPathKinds) return passing(source);
   if (kind == kPathKinds + 1) return together(source);
   if (kind == kPathKinds + 2) return grazing(source);
