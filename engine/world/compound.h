@@ -19,6 +19,8 @@ struct PartSettings {
   std::optional<Filter> filter = {};
   std::uint64_t user_data = 0;  ///< a number that nobody reads
   std::uint32_t material = 0;   ///< a number that nobody reads, such as what the part is made of
+
+  bool operator==(const PartSettings&) const = default;
 };
 
 /// Several shapes with poses that form one body: share() makes a BodyShape of them. A compound is a

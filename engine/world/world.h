@@ -35,6 +35,8 @@ struct BodySettings {
   MeshSides sides = {};
   /// Whether the body is swept. Bodies that are not swept cost no more because others are.
   Detection detection = Detection::Discrete;
+
+  bool operator==(const BodySettings&) const = default;
 };
 
 /// The largest WorldSettings::number.

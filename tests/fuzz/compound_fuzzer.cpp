@@ -188,10 +188,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   for (const auto& [number, part] : model.parts()) {
     numbers.push_back(number);
     const auto &found = compound.settings(number).filter, &wanted = part.settings.filter;
-    const bool is_same =
-        found.has_value() == wanted.has_value() &&
-        (!found || (found->category == wanted->category && found->mask == wanted->mask));
-    fail_if(!is_same, "other settings");
+    fail_if(found != wanted, "other settings");
   }
   fail_if(compound.parts() != numbers || compound.size() != numbers.size(), "other parts");
   try {

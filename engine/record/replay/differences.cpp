@@ -111,24 +111,14 @@ struct ChangeWords {
   }
 };
 
-bool are_equal(const Filter& s, const Filter& t) {
-  return s.category == t.category && s.mask == t.mask && s.group == t.group;
-}
-
-bool are_equal(const BodySettings& s, const BodySettings& t) {
-  return s.kind == t.kind && are_equal(s.filter, t.filter) && s.user_data == t.user_data &&
-         s.role == t.role && s.margin == t.margin && s.sides == t.sides &&
-         s.detection == t.detection;
-}
-
 struct ChangeEquality {
   bool operator()(const BodyAdded& s, const BodyAdded& t) const {
-    return s.id == t.id && s.shape == t.shape && graze::are_equal(s.pose, t.pose) &&
-           are_equal(s.settings, t.settings);
+    return s.id == t.id && s.shape == t.shape && are_equal(s.pose, t.pose) &&
+           s.settings == t.settings;
   }
   bool operator()(const BodyRemoved& s, const BodyRemoved& t) const { return s.id == t.id; }
   bool operator()(const BodyMoved& s, const BodyMoved& t) const {
-    return s.id == t.id && graze::are_equal(s.pose, t.pose);
+    return s.id == t.id && are_equal(s.pose, t.pose);
   }
   bool operator()(const BodyTaken& s, const BodyTaken& t) const {
     return s.id == t.id && s.motion == t.motion;
@@ -137,7 +127,7 @@ struct ChangeEquality {
     return s.id == t.id && s.shape == t.shape;
   }
   bool operator()(const BodySet& s, const BodySet& t) const {
-    return s.id == t.id && s.what == t.what && are_equal(s.settings, t.settings);
+    return s.id == t.id && s.what == t.what && s.settings == t.settings;
   }
   bool operator()(const BodySlept& s, const BodySlept& t) const {
     return s.id == t.id && s.is_awake == t.is_awake;
@@ -155,9 +145,8 @@ struct ChangeEquality {
     return s.state->touching == t.state->touching &&
            std::equal(s.state->bodies.begin(), s.state->bodies.end(), t.state->bodies.begin(),
                       t.state->bodies.end(), [](const RecordedBody& a, const RecordedBody& b) {
-                        return a.id == b.id && a.shape == b.shape &&
-                               graze::are_equal(a.pose, b.pose) &&
-                               are_equal(a.settings, b.settings) && a.is_awake == b.is_awake;
+                        return a.id == b.id && a.shape == b.shape && are_equal(a.pose, b.pose) &&
+                               a.settings == b.settings && a.is_awake == b.is_awake;
                       });
   }
   template <typename S, typename T>

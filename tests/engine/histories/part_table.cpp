@@ -30,11 +30,6 @@ bool is_no_part(const Shape& shape) {
   return shape.kind() == ShapeKind::HalfSpace || shape.kind() == ShapeKind::Plane;
 }
 
-bool are_same(const std::optional<Filter>& s, const std::optional<Filter>& t) {
-  if (!s || !t) return s.has_value() == t.has_value();
-  return s->category == t->category && s->mask == t->mask && s->group == t->group;
-}
-
 /// Its middle, as VoxelMap::pose() defines it.
 Pose pose_of_voxel(const VoxelGrid& grid, const Voxel& voxel) {
   Pose pose = Pose::Identity();
@@ -200,7 +195,7 @@ void PartTable::check(const BodyShape& shape) const {
     numbers.push_back(number);
     const PartSettings& settings = compound->settings(number);
     expect(compound->part(number).pose.matrix() == part.pose.matrix() &&
-               are_same(settings.filter, part.filter) && settings.user_data == part.label &&
+               settings.filter == part.filter && settings.user_data == part.label &&
                settings.material == part.label,
            "part " + std::to_string(number) + " is not as it was told to be");
   }

@@ -205,12 +205,10 @@ void Player::check_body(std::uint32_t name) {
   const World& world = all_[0].world;
   const BodyId id = all_[0].ids.at(name);
   const Oracle::Being& being = oracle_.beings().at(name);
-  const Filter& filter = world.filter(id);
   const bool is_as_told =
       world.pose(id).matrix() == being.pose.matrix() && world.kind(id) == being.kind &&
       world.role(id) == being.role && world.user_data(id) == name &&
-      filter.group == being.filter.group && filter.category == being.filter.category &&
-      filter.mask == being.filter.mask && world.is_awake(id) == oracle_.is_awake(name) &&
+      world.filter(id) == being.filter && world.is_awake(id) == oracle_.is_awake(name) &&
       world.margin(id) == being.margin && world.detection(id) == being.detection;
   expect(is_as_told, "body " + std::to_string(name) + " is not as it was told to be");
   if (being.parts) being.parts->check(world.shape(id));
