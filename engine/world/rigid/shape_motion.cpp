@@ -15,6 +15,7 @@
 #include <graze/engine/world/shapes/placed_core.h>
 
 #include <algorithm>
+#include <numeric>
 #include <optional>
 #include <variant>
 
@@ -140,14 +141,39 @@ RigidContact earlier(const RigidContact& s, const RigidContact& t) {
           std::min(s.high, t.high), s.is_out_of_budget || t.is_out_of_budget};
 }
 
-/// Answers a pair with one plane, or two.
+/// Returns whether two shapes are no further apart than the clearance at a time.
+bool are_near(const Shape& shape_a, const Shape& shape_b, const MovingShape& a,
+              const MovingShape& b, double time, double clearance, Work& work) {
+  const PlacedShapeView placed_a{shape_a, a.motion.at(time)}, placed_b{shape_b, b.motion.at(time)};
+  if (clearance == 0) return intersects(placed_a, placed_b, &work);
+  return distance(placed_a, placed_b, &work).distance <= clearance;
+}
+
+/// Answers a pair with one plane, or two. A shape that has come through a plane still touches the
+/// half-space that stands for it. So the time of the hit is brought down to the first double at
+/// which the half-space is touched, and it is a hit if the plane itself is touched then.
 RigidContact contact_of_plane(const MovingShape& a, const MovingShape& b,
                               const RigidContactSettings& settings, Work& work) {
   const HalfSpacePair by({a.shape, a.motion.start()}, {b.shape, b.motion.start()}, work);
   const auto ask = [&](std::size_t i) {
     return first_contact(by.a(i).shape, a.motion, by.b(i).shape, b.motion, settings, &work);
   };
-  return by.is_divided() ? earlier(ask(0), ask(1)) : ask(0);
+  RigidContact found = by.is_divided() ? earlier(ask(0), ask(1)) : ask(0);
+  const auto is_near = [&](const Shape& shape_a, const Shape& shape_b, double time) {
+    return are_near(shape_a, shape_b, a, b, time, settings.clearance, work);
+  };
+  if (found.status != RigidStatus::Hit || is_near(a.shape, b.shape, found.high)) return found;
+  const auto is_passed = [&](double time) {
+    return is_near(by.a(0).shape, by.b(0).shape, time) ||
+           (by.is_divided() && is_near(by.a(1).shape, by.b(1).shape, time));
+  };
+  double before = found.low;
+  for (double middle = std::midpoint(before, found.high); before < middle && middle < found.high;
+       middle = std::midpoint(before, found.high))
+    (is_passed(middle) ? found.high : before) = middle;
+  if (!is_near(a.shape, b.shape, found.high))
+    return {RigidStatus::Close, found.low, 1, found.is_out_of_budget};
+  return found;
 }
 
 }  // namespace

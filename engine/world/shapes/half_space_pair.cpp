@@ -1,4 +1,3 @@
-#include <graze/bvh/error.h>
 #include <graze/engine/mesh/data/mesh_patch.h>
 #include <graze/engine/world/fields/field_data.h>
 #include <graze/engine/world/shape_pairs.h>
@@ -92,7 +91,7 @@ void HalfSpacePair::choose(Side& plane, Side& other, Work& work) {
       plane.by[0] = !is_apart(front) && is_apart(back) ? back : front;
       return;
     case ShapeKind::Mesh:
-      return choose_beside_mesh(plane, other, front, back, work);
+      return choose_beside_mesh(plane, other, *by.shape.as<Mesh>(), front, back, work);
     case ShapeKind::HeightField:
       return choose_beside_field(plane, other, front, back, work);
     default: {
@@ -114,10 +113,10 @@ void HalfSpacePair::choose_beside_field(Side& plane, Side& other, const Shape& f
   plane.by[0] = is_below ? back : front;
   if (is_above || is_below) return;
   const HeightFieldData& field = HeightFieldAccess::data(*by.shape.as<HeightField>());
-  if (has_holes(field))
-    throw UnsupportedPairError(
-        "a plane and a height field with holes that reaches to both of its sides: ask the field's "
-        "mesh()");
+  if (has_holes(field)) {
+    choose_beside_mesh(plane, other, by.shape.as<HeightField>()->mesh(), front, back, work);
+    return;
+  }
   const Eigen::Vector3d origin = middle_of(by.shape, by.pose);
   const auto lowest = [&](const Shape& side) {
     return lowest_of(field, by.pose, placed_half_space(*side.as<HalfSpace>(), pose, origin)).height;
@@ -125,9 +124,8 @@ void HalfSpacePair::choose_beside_field(Side& plane, Side& other, const Shape& f
   if (lowest(front) < lowest(back)) plane.by[0] = back;
 }
 
-void HalfSpacePair::choose_beside_mesh(Side& plane, Side& other, const Shape& front,
-                                       const Shape& back, Work& work) {
-  const Mesh& mesh = *other.own.shape.as<Mesh>();
+void HalfSpacePair::choose_beside_mesh(Side& plane, Side& other, const Mesh& mesh,
+                                       const Shape& front, const Shape& back, Work& work) {
   const PlacedMeshView placed{mesh, other.own.pose};
   const double* m = placed.pose.data();
   const Eigen::Vector3d origin(m[12], m[13], m[14]);  // the origin, as for a mesh and a half-space
@@ -216,7 +214,10 @@ Eigen::Vector3d point_in_plane(const PlacedShapeView& a, const PlacedShapeView& 
   if (const auto* mesh = other.shape.as<Mesh>())
     return in_world(crossing_of_mesh({*mesh, other.pose}, plane, origin, work));
   if (const auto* field = other.shape.as<HeightField>()) {
-    return in_world(crossing_of_field(HeightFieldAccess::data(*field), other.pose, plane, origin));
+    const HeightFieldData& data = HeightFieldAccess::data(*field);
+    if (has_holes(data))
+      return in_world(crossing_of_mesh({field->mesh(), other.pose}, plane, origin, work));
+    return in_world(crossing_of_field(data, other.pose, plane, origin));
   }
   if (!is_convex_core(other.shape.kind()))
     return in_world(crossing_of_flat(to_vec3(known) - to_vec3(origin), plane));

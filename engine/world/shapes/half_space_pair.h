@@ -27,12 +27,11 @@ inline bool has_plane(const PlacedShapeView& a, const PlacedShapeView& b) {
 ///
 /// A mesh with pieces on both sides, none of which crosses the plane, is divided: then there are
 /// two pairs, which are apart, each of the pieces on one side and the half-space behind the plane
-/// as seen from there. The pieces are patches of the mesh, with its bounds and numbers.
+/// as seen from there. The pieces are patches of the mesh, with its bounds and numbers. A height
+/// field with holes that reaches to both sides may be in pieces, too, and is asked as a mesh.
 class HalfSpacePair {
  public:
-  /// Makes the pair; both shapes must outlive it. Throws UnsupportedPairError for a height field
-  /// with holes that reaches to both sides: only a mesh of all its cells would tell whether it is
-  /// in pieces.
+  /// Makes the pair; both shapes must outlive it.
   HalfSpacePair(const PlacedShapeView& a, const PlacedShapeView& b, Work& work);
 
   /// Returns the number of pairs: 1, or 2 if a mesh is divided.
@@ -50,8 +49,8 @@ class HalfSpacePair {
   };
 
   void choose(Side& plane, Side& other, Work& work);
-  void choose_beside_mesh(Side& plane, Side& mesh, const Shape& front, const Shape& back,
-                          Work& work);
+  void choose_beside_mesh(Side& plane, Side& other, const Mesh& mesh, const Shape& front,
+                          const Shape& back, Work& work);
   void choose_beside_field(Side& plane, Side& field, const Shape& front, const Shape& back,
                            Work& work);
 

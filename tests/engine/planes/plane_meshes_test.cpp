@@ -1,14 +1,15 @@
 // Planes beside meshes and height fields: triangle by triangle, meshes in pieces among them.
 
-#include <graze/bvh/error.h>
 #include <graze/engine/mesh/placement.h>
 #include <graze/engine/world/height_field.h>
 #include <graze/engine/world/manifold.h>
 #include <graze/engine/world/shape_pairs.h>
+#include <graze/engine/world/world.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <vector>
 
@@ -126,9 +127,9 @@ TEST(PlanesAndMeshes, PiecesOnBothSidesAreNearFromBoth) {
   EXPECT_EQ(distance({pieces, at(0, 0, 0.75)}, floor).normal, Vector3d(0, 0, 1));
 }
 
-TEST(PlanesAndMeshes, AFieldWithoutHolesIsItsMeshAndOneWithHolesSaysWhenItDoesNotKnow) {
+TEST(PlanesAndMeshes, AFieldIsItsMeshWithHolesToo) {
   RandomSource source(5);
-  int hits = 0, refused = 0;
+  int hits = 0;
   for (int n = 0; n < 400 && !HasFailure(); ++n) {
     SCOPED_TRACE(n);
     tests::FieldParts parts =
@@ -138,25 +139,38 @@ TEST(PlanesAndMeshes, AFieldWithoutHolesIsItsMeshAndOneWithHolesSaysWhenItDoesNo
     const Shape plane = tests::random_shape(ShapeKind::Plane, 4, source);
     const Pose pose = random_pose(2, source);
     const PlacedShapeView wall{plane, pose};
-    try {
-      const bool is_hit = intersects(twins.field(), wall);
-      EXPECT_EQ(is_hit, intersects(twins.mesh(), wall));
-      const ShapeDistance found = distance(twins.field(), wall);
-      EXPECT_EQ(found.distance, distance(twins.mesh(), wall).distance);
-      EXPECT_EQ(find_contacts(twins.field(), wall).empty(), !is_hit);
-      hits += is_hit;
-      if (!is_hit) continue;
-      const Shape point = Sphere{found.point_a, 1e-12};
-      EXPECT_TRUE(intersects(point, wall));
-      EXPECT_TRUE(intersects(point, twins.mesh()));
-    } catch (const UnsupportedPairError&) {
-      EXPECT_EQ(n % 2, 1);
-      EXPECT_THROW(distance(wall, twins.field()), UnsupportedPairError);
-      ++refused;
-    }
+    const bool is_hit = intersects(twins.field(), wall);
+    EXPECT_EQ(is_hit, intersects(twins.mesh(), wall));
+    const ShapeDistance found = distance(twins.field(), wall);
+    EXPECT_EQ(found.distance, distance(twins.mesh(), wall).distance);
+    const Manifold contacts = find_contacts(twins.field(), wall);
+    EXPECT_EQ(contacts.empty(), !is_hit);
+    hits += is_hit;
+    if (!is_hit) continue;
+    const Shape point = Sphere{found.point_a, 1e-12};
+    EXPECT_TRUE(intersects(point, wall));
+    EXPECT_TRUE(intersects(point, twins.mesh()));
   }
   EXPECT_GT(hits, 50);
-  EXPECT_GT(refused, 20);
+}
+
+TEST(PlanesAndMeshes, AFieldInTwoPiecesIsBesideThePlaneBetweenThem) {
+  const std::vector<float> heights = {-1, -1, 0, 1, 1, -1, -1, 0, 1, 1};
+  const std::vector<std::uint8_t> holes = {0, 1, 1, 0};
+  const Shape field = HeightField(5, 2, heights, {.holes = holes});
+  const Shape plane = Plane{{0, 0, 1}, 0.25};
+  EXPECT_FALSE(intersects({field}, {plane}));
+  EXPECT_EQ(distance({field}, {plane}).distance, 0.75);
+  EXPECT_TRUE(find_contacts({field}, {plane}).empty());
+  EXPECT_EQ(find_contacts({field}, {plane}, {.margin = 1.5}).region_count(), 2u);
+  World world;
+  world.add({field}, {.kind = BodyKind::Static});
+  const BodyId moving = world.add({plane});
+  EXPECT_TRUE(world.update().contacts.empty());
+  world.move(moving, at(0, 0, 1));
+  EXPECT_EQ(world.update().begun.size(), 0u);
+  world.move(moving, at(0, 0, 0.75));
+  EXPECT_EQ(world.update().begun.size(), 1u);
 }
 
 }  // namespace

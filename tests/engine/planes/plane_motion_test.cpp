@@ -4,6 +4,7 @@
 #include <graze/engine/world/shape_cast.h>
 #include <graze/engine/world/shape_motion.h>
 #include <graze/engine/world/shape_pairs.h>
+#include <graze/print.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -116,6 +117,31 @@ TEST(PlaneMotions, OfAMeshInPiecesTheFirstPieceCounts) {
   EXPECT_FALSE(cast(floor, pieces, {0, 0, -0.5}));
   EXPECT_TRUE(is_free(pieces, RigidMotion(Pose::Identity(), {.shift = {0, 0, -0.5}}), floor,
                       RigidMotion(Pose::Identity())));
+}
+
+// In a step of the grid a small ball comes from one side of a plane to the other. What is said to
+// be the time of a hit is one at which the two touch.
+TEST(PlaneMotions, AHitIsATimeAtWhichThePlaneIsTouched) {
+  const Shape floor = Plane{{0, 0, 1}, 0};
+  const RigidMotion still(Pose::Identity());
+  for (const double radius : {1e-90, 1e-17, 1e-9, 1e-6, 1e-4}) {
+    for (const double tolerance : {1e-6, 1e-3}) {
+      for (const double clearance : {0.0, 1e-9}) {
+        SCOPED_TRACE(radius);
+        const Shape ball = Sphere{{0, 0, 0}, radius};
+        const RigidMotion falls(at(0.1, 0.2, 1.0 / 3), {.shift = {0, 0, -1}});
+        const RigidContact contact = first_contact(
+            ball, falls, floor, still, {.clearance = clearance, .tolerance = tolerance});
+        ASSERT_NE(contact.status, RigidStatus::Free);
+        EXPECT_LE(contact.low, 1.0 / 3);
+        EXPECT_EQ(contact.status == RigidStatus::Hit, radius >= 1e-9) << contact;
+        if (contact.status != RigidStatus::Hit) continue;
+        const Pose pose = falls.at(contact.high);
+        EXPECT_LE(distance({ball, pose}, {floor}).distance, clearance);
+        EXPECT_TRUE(clearance > 0 || intersects({ball, pose}, {floor}));
+      }
+    }
+  }
 }
 
 TEST(PlaneMotions, OfTwoThatTurnNothingIsSaid) {
