@@ -8,7 +8,7 @@
 
 namespace graze::bvh {
 
-/// What is answered for each leaf, or pair, that a walk hands out: to go on, or that it is enough.
+/// The answer for each leaf, or pair, that a walk hands out: to go on, or that it is enough.
 enum class Walk { Continue, Stop };
 
 /// A stack that allocates only when it outgrows `InlineCapacity`, and then grows without limit: no

@@ -91,8 +91,9 @@ enum class Ask {
 
 /// Holds the settings that can change an answer, and no others.
 struct CaseSettings {
-  /// What counts as a hit. Any of two meshes takes every kind. Any of two triangles, and Pairs of
-  /// two meshes, take Touching or Crossing. Any of a mesh and a volume takes Touching or Solid.
+  /// The touches that count as a hit. Any of two meshes takes every kind. Any of two triangles, and
+  /// Pairs of two meshes, take Touching or Crossing. Any of a mesh and a volume takes Touching or
+  /// Solid.
   Hit hit = Hit::Touching;
   double clearance = 0;     ///< metres, for Ask::Within, FirstContact and Free
   double tolerance = 1e-6;  ///< metres, for Ask::FirstContact and Free

@@ -1,4 +1,4 @@
-// What stands in for engine/cli/view/ where pages are switched off.
+// This stands in for engine/cli/view/ where pages are switched off.
 
 #include <graze/engine/cli/commands/commands.h>
 #include <graze/engine/cli/compare/report_viewer.h>

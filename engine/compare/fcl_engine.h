@@ -43,7 +43,7 @@ bool intersects(const FclMesh& mesh_a, const Pose& pose_a, const FclMesh& mesh_b
 std::vector<TrianglePair> find_triangle_pairs(const FclMesh& mesh_a, const Pose& pose_a,
                                               const FclMesh& mesh_b, const Pose& pose_b);
 
-/// What FCL says of the distance of two surfaces: 0 for those that it thinks touch.
+/// The distance of two surfaces by FCL, which is 0 if FCL finds that they touch.
 struct FclDistance {
   double distance;  ///< metres
   TrianglePair pair;

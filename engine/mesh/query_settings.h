@@ -83,7 +83,7 @@ struct ContactSettings {
 struct VolumeQuerySettings {
   /// The volumes that prune: they change the time, never the answer.
   Volume volume = Volume::Aabb;
-  /// Whether a closed mesh is solid: what is wholly inside it is then a hit.
+  /// Says whether a closed mesh is solid: a volume wholly inside it is then a hit.
   Interior interior = Interior::Surface;
 };
 

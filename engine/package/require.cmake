@@ -1,4 +1,4 @@
-# What the build needs from outside, and what to install when it is not there.
+# This finds what the build needs from outside, and says what to install when it is not there.
 
 # graze_require(Eigen3 DEBIAN libeigen3-dev [VERSION 3.4] [OPTION GRAZE_WITH_X])
 # finds a CMake package or stops, naming the Debian package and the option that does without it.

@@ -82,7 +82,7 @@ struct PlacedBodyShape {
   Pose pose = Pose::Identity();            ///< the pose of the shape
 };
 
-/// Who moves a body, and which bodies it can meet.
+/// Says who moves a body, and which bodies it can meet.
 enum class BodyKind : std::uint8_t {
   Static,     ///< the body does not move by itself; it meets only dynamic bodies
   Kinematic,  ///< the user moves the body, as rails would; it meets only dynamic bodies
@@ -96,15 +96,15 @@ enum class Detection : std::uint8_t {
               ///< update: the body is swept, so that nothing that it meets is too thin to be found
 };
 
-/// What it means to meet a body.
+/// Says what it means to meet a body.
 enum class Role : std::uint8_t {
   Solid,  ///< the body meets others as its kind says
   Sensor  ///< the body meets solid bodies that are dynamic or kinematic, whatever its own kind is,
           ///< and neither static bodies nor other sensors; its pairs have no contacts
 };
 
-/// Which bodies may meet. Two bodies may meet if each one's category has a bit in the other's mask.
-/// Two of the same group other than 0 may meet if the group is positive, and may not if it is
+/// Says which bodies may meet. Two bodies may meet if each one's category has a bit in the other's
+/// mask. Two of the same group other than 0 may meet if the group is positive, and may not if it is
 /// negative, whatever the masks say.
 struct Filter {
   std::uint32_t category = 1;        ///< the categories that the body is in, one bit each

@@ -27,9 +27,9 @@ struct BroadPhaseWork {
   bool operator==(const BroadPhaseWork&) const = default;
 };
 
-/// How a BroadPhase works.
+/// The settings of a BroadPhase.
 struct BroadPhaseSettings {
-  /// How many threads share an update at most; 0 means all threads of the machine, but no more than
+  /// At most so many threads share an update; 0 means all threads of the machine, but no more than
   /// 256. No result depends on it.
   int threads = 1;
 };

@@ -14,7 +14,7 @@ namespace graze {
 
 struct HeightFieldData;
 
-/// Where the points of a height field lie in its own frame, and what its cells are.
+/// Says where the points of a height field lie in its own frame, and what its cells are.
 struct HeightFieldSettings {
   double spacing_x = 1;      ///< metres between columns, from kSmallestLength on
   double spacing_y = 1;      ///< metres between rows, from kSmallestLength on

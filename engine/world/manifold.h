@@ -181,9 +181,9 @@ template <typename = void>
 Manifold find_contacts(const PlacedShapeView& shape_a, const PlacedShapeView& shape_b,
                        Work* work = nullptr);
 
-/// How find_contacts() of two shapes looks for contacts.
+/// The settings of find_contacts() of two shapes.
 struct ManifoldSettings {
-  /// How near the two must be for contacts to begin, metres: finite and not negative.
+  /// Contacts begin when the two are no further apart than this, metres: finite and not negative.
   double margin = 0;
   MeshSides sides_a = {};  ///< what counts as a part of A beside its surface, if A is a mesh
   MeshSides sides_b = {};  ///< the same for B

@@ -33,7 +33,7 @@ PairMethod pair_method(ShapeKind kind_a, ShapeKind kind_b);
 // middles; for a mesh the triangle that is met counts, and one of its corners is its middle; a
 // half-space has no size, and its middle is the nearest point of its plane.
 
-/// Whether a search ended with an answer that is proved to its tolerance.
+/// Says whether a search ended with an answer that is proved to its tolerance.
 enum class PairStatus {
   Converged,     ///< the distance is off by at most kTouchTolerance times the scale
   NotConverged,  ///< a search ended with bounds further apart than that. The bounds still hold: the

@@ -22,7 +22,7 @@ namespace graze {
 /// 0.2 where all voxels are full.
 class VoxelMap {
  public:
-  /// How many voxels a stored block has along each side.
+  /// The number of voxels that a stored block has along each side.
   static constexpr std::uint32_t kBlock = 16;
 
   /// Makes a map without voxels. Throws InputError as VoxelGrid::check() does.

@@ -42,10 +42,10 @@ struct BodySettings {
 /// The largest WorldSettings::number.
 inline constexpr std::uint32_t kLargestWorldNumber = 255;
 
-/// How a World works. A world leaves out work that no answer needs: each setting that begins with
-/// `skip_` stands for one such saving, and to switch it off changes no answer, only the cost.
+/// The settings of a World. A world leaves out work that no answer needs: each setting that begins
+/// with `skip_` stands for one such saving, and to switch it off changes no answer, only the cost.
 struct WorldSettings {
-  /// How many threads share each stage of update() at most; 0 means all threads of the machine.
+  /// At most so many threads share each stage of update(); 0 means all threads of the machine.
   /// Only the thread that calls update() asks filters, and shapes of a user's own that do not allow
   /// other threads (BodyShape::allows_concurrent_calls()). Neither results nor WorldWork depend on
   /// it.
@@ -62,9 +62,9 @@ struct WorldSettings {
   /// islands, and up to as much again while their number grows.
   bool islands = false;
   RigidContactSettings sweeps = {};  ///< how first contacts of swept bodies are found
-  /// How much deeper a convex body that is swept and touches a mesh may get behind a triangle of it
-  /// and still slide along that triangle, metres. Triangles along which it slides are not listed
-  /// again.
+  /// A convex body that is swept and touches a mesh may get deeper behind a triangle of it by so
+  /// much, metres, and still slide along that triangle. Triangles along which it slides are not
+  /// listed again.
   double sliding_depth = 1e-3;
 
   bool skip_apart = true;         ///< pairs whose gap cannot have closed are not tested
@@ -214,7 +214,7 @@ class World {
   std::vector<BodyId> bodies(const BodyQuerySettings& settings = {}) const;
   /// Returns the pose that the body was given last.
   const Pose& pose(BodyId id) const;
-  /// Returns the shape of the body; valid until the body is gone or takes another.
+  /// Returns the shape of the body. It is valid until the body is gone or takes another shape.
   const BodyShape& shape(BodyId id) const;
   /// Returns the kind that settings or set_kind() gave last.
   BodyKind kind(BodyId id) const;
@@ -313,10 +313,10 @@ class World {
   std::optional<BodyPairDistance> find_closest(const PlacedWorldView& other,
                                                const WorldPairSettings& settings = {}) const;
 
-  /// Returns the pair of bodies of this world whose distance() is least, the first of equals, among
-  /// those that may meet, or nothing if there is none: by kinds, filters, exclusions, and the
-  /// user's own filter, which is asked about each pair that is looked at and must not change the
-  /// world. A is the body with the smaller index.
+  /// Returns the pair of bodies of this world whose distance() is least, the first of equals, or
+  /// nothing if no two bodies may meet. Kinds, filters, exclusions and the user's own filter say
+  /// which may meet. The user's filter is asked about each pair that is looked at, and must not
+  /// change the world. A is the body with the smaller index.
   std::optional<BodyPairDistance> find_closest_pair(const WorldPairSettings& settings = {}) const;
 
   /// Returns the body that a ray meets first, by cast_ray() of its shape in its pose now; of equal

@@ -13,7 +13,7 @@ namespace graze {
 
 class World;
 
-/// What a drawn line shows.
+/// Says what a drawn line shows.
 enum class Drawn {
   Shape,    ///< an edge or an outline of a body's shape
   Box,      ///< the axis-aligned box around a body

@@ -53,7 +53,7 @@ struct BodyFirstContact {
 
 /// Counts of what an update did, and of what it could leave out.
 struct WorldWork {
-  /// How many pairs of bodies may not meet, among those whose boxes began to overlap, or for which
+  /// The pairs of bodies that may not meet, among those whose boxes began to overlap, or for which
   /// a filter, kind, role or exclusion changed. After that they cost nothing, and are not counted.
   std::uint64_t pairs_filtered = 0;
   std::uint64_t pairs_at_rest = 0;  ///< pairs with overlapping boxes in which nothing changed

@@ -3,11 +3,11 @@
 // steadily. Good directions lead from one nearest point to the other; any error of theirs costs a
 // sure answer, never a right one.
 //
-// How sure, with u the unit roundoff and M the largest coordinate: a point at time t, x + t (y -
-// x), is off by u of the difference, of the product and of the sum, 5 M u at most, and an offset of
-// two by 12 M u; its product with q by 4 u of 2 M S and 12 M u S more, S being the sum of the
-// components of q: 20.1 M u S in all. s |q| is off by 3.6 u of itself. What underflows is below
-// 2^-1000, for q is not tiny.
+// Rounding is bounded as follows, with u the unit roundoff and M the largest coordinate. A point at
+// time t, x + t (y - x), is off by u of the difference, of the product and of the sum, 5 M u at
+// most, and an offset of two by 12 M u. Its product with q is off by 4 u of 2 M S and 12 M u S
+// more, S being the sum of the components of q: 20.1 M u S in all. s |q| is off by 3.6 u of itself.
+// What underflows is below 2^-1000, for q is not tiny.
 
 #include <graze/narrowphase/motion/near_contact.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// What exact tests of triangles ask of coordinates of either kind, doubles or the integers of
-// fixed_point.h: on which sides of a plane the vertices of a triangle lie.
+// This tells on which sides of a plane the vertices of a triangle lie. Exact tests of triangles ask
+// it of coordinates of either kind, doubles or the integers of fixed_point.h.
 
 #include <graze/narrowphase/predicates/coordinates.h>
 #include <graze/narrowphase/predicates/predicates.h>

@@ -1,11 +1,11 @@
 // Both stages ask the same signs in the same order, the first of them of rounded orientations with
 // their bound, the second of exact ones.
 //
-// Why strict signs suffice. The inside of a triangle with area meets a plane that does not hold it
-// only if vertices lie strictly on both sides; the line that two such planes share then cuts an
-// open interval of positive length out of each triangle. These overlap if and only if each begins
-// before the other ends, which are the two orientations of Guigue and Devillers' figure 5, taken
-// strictly: such an orientation is zero exactly where both edges meet the line in one point,
+// Strict signs suffice, for this reason. The inside of a triangle with area meets a plane that does
+// not hold it only if vertices lie strictly on both sides; the line that two such planes share then
+// cuts an open interval of positive length out of each triangle. These overlap if and only if each
+// begins before the other ends, which are the two orientations of Guigue and Devillers' figure 5,
+// taken strictly: such an orientation is zero exactly where both edges meet the line in one point,
 // because a plane that holds both edges and two different points of the line would be the plane of
 // either triangle.
 

@@ -8,7 +8,7 @@
 
 namespace graze {
 
-/// What a View holds, and the checks that its doors share.
+/// Holds the content of a View, and the checks that its functions share.
 struct View::Data {
   view::ShownView shown;
 

@@ -32,7 +32,7 @@ struct GapCost {
 inline constexpr GapCost kMeasuredGap{3, 16};
 inline constexpr GapCost kQuickGap{0, 2};
 
-/// What is known of two bodies that were found apart.
+/// Keeps the gap of two bodies that were found apart, and tells when to measure it.
 class KnownGap {
  public:
   /// True if paths of these lengths, begun before, cannot have closed the gap.

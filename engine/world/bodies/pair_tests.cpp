@@ -13,7 +13,7 @@
 namespace graze {
 namespace {
 
-/// How many pairs ahead of a test its bodies are fetched.
+/// Bodies are fetched so many pairs ahead of their test.
 constexpr std::size_t kAhead = 4;
 
 /// The length of the part of the list of candidates that a thread goes through in one go.

@@ -57,7 +57,7 @@ struct Bodies {
   struct Changes {
     /// No point of the body has travelled farther than this since it was added, metres.
     double path = 0;
-    /// Whether it was added, moved, woken or given another filter since the last update.
+    /// True if it was added, moved, woken or given another filter since the last update.
     bool has_changed = false;
     bool has_other_filter = false;  ///< whether its filter, kind or exclusions changed
     bool has_other_shape = false;   ///< whether known gaps of its pairs no longer hold
@@ -230,7 +230,7 @@ struct SweptPart {
   std::exception_ptr failure;
 };
 
-/// How many pairs of a part of the list are due, and how many a known gap keeps from being due.
+/// Counts the pairs of a part of the list that are due, and those that a known gap keeps from it.
 struct DuePart {
   std::uint32_t due, apart;
 };

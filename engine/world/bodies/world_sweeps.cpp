@@ -15,7 +15,7 @@
 namespace graze {
 namespace {
 
-/// How many pairs a thread asks in one go.
+/// A thread asks so many pairs in one go.
 constexpr std::size_t kPart = 4;
 
 constexpr RigidContact kUnknown{

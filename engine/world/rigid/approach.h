@@ -23,7 +23,7 @@ struct Closing {
 Closing turning_closing(const RigidMotion& motion, double time, const narrowphase::Core& core,
                         const Eigen::Vector3d& origin, const Eigen::Vector3d& along, double radius);
 
-/// How two shapes in motion come to each other, all in metres, and the times at which they are
+/// Says how two shapes in motion come to each other, all in metres, and at which times they are
 /// asked.
 struct Approach {
   Eigen::Vector3d shift;  ///< the shift of B minus that of A

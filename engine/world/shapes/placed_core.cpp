@@ -126,8 +126,8 @@ Core core_of(const Triangle& placed, const Eigen::Vector3d& origin) {
   return core;
 }
 
-// Where the plane goes through, o = R (offset n) + t: its coordinates are off by 5 u of the sizes
-// of what is summed up, and the dot product of 3 terms with a unit vector by as much again.
+// The plane goes through o = R (offset n) + t. The coordinates of o are off by 5 u of the sizes of
+// what is summed up, and its dot product of 3 terms with a unit vector by as much again.
 PlacedHalfSpace placed_half_space(const HalfSpace& half_space, const Pose& pose,
                                   const Eigen::Vector3d& origin) {
   const Core turn = turned_by(pose, CoreKind::Point);

@@ -36,8 +36,8 @@ bool lie_along(const Penetration& penetration, double tolerance);
 /// nearest points are taken.
 inline constexpr double kClearance = 0x1p-20;
 
-/// How far aside of the penetration the vector between the nearest points may be, as a share of the
-/// smaller size.
+/// The vector between the nearest points may be this far aside of the penetration, as a share of
+/// the smaller size.
 inline constexpr double kMostAside = 0x1p-17;
 
 /// Holds a face that takes part in a contact, and the set whose it is.

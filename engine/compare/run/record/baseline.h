@@ -33,8 +33,9 @@ struct EngineChange {
   std::size_t right_to_wrong = 0;
   std::size_t wrong_to_right = 0;
   std::size_t wrong_to_wrong = 0;
-  /// How many times as long it took: the median over what both have, so that neither the first
-  /// answer, which builds what others find, nor one slow moment decides.
+  /// The run took so many times as long as the older one. This is the median over the places that
+  /// both have, so that neither the first answer, which builds what others find, nor one slow
+  /// moment decides.
   double time_ratio = 1;
 };
 

@@ -1,4 +1,4 @@
-// What Khronos' validator says of the glTF that the graze command makes of a recording: gltf.mjs GRAZE DATA.
+// Khronos' validator reads the glTF that the graze command makes of a recording: gltf.mjs GRAZE DATA.
 
 import assert from 'node:assert/strict';
 import {execFileSync} from 'node:child_process';

@@ -1,5 +1,6 @@
-// What people see: pages that the graze command writes, opened from a disk in a headless Chromium whose WebGL is
-// software: look.mjs GRAZE DATA. Looked at are pixels, requests and the console; fails with a sentence.
+// This looks at pages as people see them: look.mjs GRAZE DATA. The graze command writes them, and a headless Chromium
+// whose WebGL is software opens them from a disk. Pixels, requests and the console are looked at. It fails with a
+// sentence.
 
 import assert from 'node:assert/strict';
 import {execFileSync} from 'node:child_process';

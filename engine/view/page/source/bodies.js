@@ -14,7 +14,7 @@ import {placeIn} from './frames.js';
 /** Pixels that a coarse body has at least if its edges are drawn. */
 const kLeastForEdges = 160;
 
-/** What is shared by the bodies of one mesh. */
+/** Holds what the bodies of one mesh share. */
 export class MeshShape {
   /** @param {PageData} page @param {Arrays} arrays @param {number} index */
   constructor(page, arrays, index) {
@@ -41,7 +41,7 @@ export class MeshShape {
     this.coarser = [];
   }
 
-  /** How many triangles are drawn at a level of detail. @param {number} level */
+  /** Returns how many triangles are drawn at a level of detail. @param {number} level */
   countAt(level) {
     return (this.surfaceFor(level).getIndex()?.count ?? 0) / 3;
   }
@@ -109,7 +109,7 @@ export class ShownBody {
     this.group.add(this.marked);
     /** Of what has no end, which is seen through. */
     this.sheet = shape.isBoundless ? this.sheetOf(color) : null;
-    /** Whether others lie in it, as in a bin. */
+    /** True if others lie in it, as in a bin. */
     this.isHolder = false;
     this.color = new THREE.Color(color);
     /** Its numbers are those of the screen. */
@@ -225,7 +225,7 @@ export class ShownBody {
 }
 
 /**
- * Where a cut goes through a closed body: its back faces behind the plane are counted up, its front faces down, and
+ * The face of a cut through a closed body: its back faces behind the plane are counted up, its front faces down, and
  * where the count is not 0 the plane is inside.
  */
 class Cap {

@@ -20,7 +20,7 @@ export class TreeBoxes {
       bodies[body].group.add(lines);
       return {level, lines, count: arrays.floats(list).length / 12};
     });
-    /** How many levels there are. */
+    /** The number of levels. */
     this.depth = this.levels.reduce((most, {level}) => Math.max(most, level + 1), 0);
     /** @type {number|null} */
     this.level = null;
@@ -37,7 +37,7 @@ export class TreeBoxes {
     for (const each of this.levels) each.lines.visible = each.level === this.level;
   }
 
-  /** How many boxes the level has that is shown. */
+  /** Returns the number of boxes of the level that is shown. */
   count() {
     return this.levels.reduce((sum, {level, count}) => sum + (level === this.level ? count : 0), 0);
   }

@@ -9,11 +9,11 @@ export const kMarked = '#d3203c';
 
 /** @typedef {{curve: string, contact: string, gap: string, line: string, box: string}} MarkColors */
 
-/** What lies over bodies, by theme. @type {{light: MarkColors, dark: MarkColors}} */
+/** The colours of what lies over bodies, by theme. @type {{light: MarkColors, dark: MarkColors}} */
 export const kMarks = {
   light: {curve: '#14141c', contact: '#5b2a96', gap: '#00666b', line: '#44566a', box: '#a04a00'},
   dark: {curve: '#ffffff', contact: '#d3b5ff', gap: '#78fc87', line: '#e6eefa', box: '#ffb454'},
 };
 
-/** How bright bodies are: on a dark ground marks are light, and bodies darker than these. */
+/** The brightness of bodies: on a dark ground marks are light, and bodies darker than these. */
 export const kBrightness = {light: 1, dark: 0.78};

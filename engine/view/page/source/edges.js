@@ -1,5 +1,5 @@
 // @ts-check
-// Which edges of a mesh are drawn: corners and borders always, those between triangles when they are near.
+// This says which edges of a mesh are drawn: corners and borders always, those between triangles when they are near.
 
 /**
  * The lowest vertex in the same position, for each vertex.

@@ -4,7 +4,7 @@
 /** @typedef {import('./unpack.js').FrameData} FrameData */
 
 /**
- * Where in `frames`, ascending, a frame is; -1 if it is not there.
+ * Returns where in `frames`, ascending, a frame is, or -1 if it is not there.
  * @param {Uint32Array} frames @param {number} frame
  */
 export function placeIn(frames, frame) {
@@ -62,7 +62,8 @@ export function chaptersOf(frames) {
 }
 
 /**
- * How many frames a player goes on, and what is left over of a frame. From the last frame a loop goes to the first.
+ * Takes a player so many frames on, and returns what is left over of a frame. From the last frame a loop goes to the
+ * first.
  * @param {number} frame @param {number} due frames and parts of one @param {number} count @param {boolean} isLoop
  */
 export function advance(frame, due, count, isLoop) {
@@ -91,7 +92,7 @@ export function pairsOf(starts, list) {
 }
 
 /**
- * Where a pair next begins to touch after a frame; after the last time the first.
+ * Returns where a pair next begins to touch after a frame, or the first such frame after the last time.
  * @param {number[]} frames in which it touches, ascending @param {number} from
  */
 export function nextBegin(frames, from) {

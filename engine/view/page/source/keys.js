@@ -1,5 +1,5 @@
 // @ts-check
-// What keys do. Fields that take keys themselves keep them.
+// Keys give commands. Fields that take keys themselves keep them.
 
 /**
  * @typedef {object} Commands
@@ -19,7 +19,7 @@ export function listenToKeys(commands) {
     const isField = target.tagName === 'SELECT' || (target instanceof HTMLInputElement && target.type === 'range');
     const isButton = target.tagName === 'BUTTON' || target.tagName === 'SUMMARY' || target instanceof HTMLInputElement;
     if (isField && /^(Arrow|Home|End|Page)/.test(event.key)) return;
-    // Where one chooses by letters and digits.
+    // There one chooses by letters and digits.
     if (target.tagName === 'SELECT' && event.key.length === 1) return;
     if (isButton && (event.key === ' ' || event.key === 'Enter')) return;
     if (handle(event, commands)) event.preventDefault();

@@ -1,5 +1,5 @@
 // @ts-check
-// What a link says behind its #: the view, so that another sees the same.
+// A link tells the view behind its #, so that another sees the same.
 
 /**
  * @typedef {object} ViewLink all of it may be missing
@@ -29,7 +29,7 @@ export function toHash(view) {
 const numbersIn = (text) => text.split(',').map(Number);
 
 /**
- * What of a link can be understood; the rest is as if it were not there.
+ * Returns what can be understood of a link; the rest is as if it were not there.
  * @param {string} hash with or without the # @returns {ViewLink}
  */
 export function fromHash(hash) {

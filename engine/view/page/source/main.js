@@ -93,7 +93,7 @@ class Page {
     this.overlay?.set(frame);
   }
 
-  /** What is said about a frame. @param {number} frame */
+  /** Says what there is to say about a frame. @param {number} frame */
   tell(frame) {
     const data = this.page.frames[frame];
     const state = element('state');
@@ -349,7 +349,7 @@ class Page {
     if (text !== null && element('panel').offsetParent === null) this.overlay.say(text.replaceAll('\n', ' \u00b7 '));
   }
 
-  /** What was picked, and the corners of the triangle as they were given. */
+  /** Writes what was picked, and the corners of the triangle as they were given. */
   writePicked() {
     element('picked-section').hidden = this.picked === null;
     if (this.picked === null) return;

@@ -1,5 +1,5 @@
 // @ts-check
-// What stands over the picture: words at places, the scale, the axes, the word for people.
+// This draws what stands over the picture: words at places, the scale, the axes, the word for people.
 
 import * as THREE from 'three';
 import {length, roundLength} from './units.js';
@@ -21,7 +21,7 @@ export class Overlay {
     /** @type {{at: THREE.Vector3, span: HTMLSpanElement}[]} */
     this.words = [];
     this.timer = 0;
-    // What is drawn of these, so that nothing is laid out anew for a picture that has the same.
+    // These are as they were drawn last, so that nothing is laid out anew for a picture that has the same.
     this.scale = {width: '', text: ''};
     this.turn = new THREE.Quaternion(0, 0, 0, 0);
     this.axes = ['x', 'y', 'z'].map((name, i) => {

@@ -19,7 +19,7 @@ const kLayers = [
 ];
 
 /**
- * Whether any frame has some of it.
+ * Returns whether any frame has some of it.
  * @param {Layer} layer @param {import('./stage.js').Stage} stage
  */
 function isEver(layer, {page: {marks}, arrays, bodies}) {

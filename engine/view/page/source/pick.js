@@ -1,6 +1,6 @@
 // @ts-check
-// What a ray meets first, in a body's own frame: Möller and Trumbore, "Fast, minimum storage ray-triangle
-// intersection", 1997, in doubles. It serves the eye; what touches what has been decided before.
+// This finds what a ray meets first, in a body's own frame: Möller and Trumbore, "Fast, minimum storage ray-triangle
+// intersection", 1997, in doubles. It serves the eye; which bodies touch has been decided before.
 
 /**
  * @param {Float32Array} positions @param {Uint32Array} triangles
@@ -35,7 +35,7 @@ export function firstTriangle(positions, triangles, origin, direction, isSeen = 
 }
 
 /**
- * Whether a ray comes near a ball at all.
+ * Returns whether a ray comes near a ball at all.
  * @param {number[]} centre @param {number} radius @param {number[]} origin @param {number[]} direction
  */
 export function meetsBall(centre, radius, origin, direction) {

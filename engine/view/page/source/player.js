@@ -123,7 +123,7 @@ export class Player {
     requestAnimationFrame((next) => this.tick(next));
   }
 
-  /** Where bodies touch, in colour and by height. */
+  /** Draws where bodies touch, in colour and by height. */
   drawStrip() {
     const strip = /** @type {HTMLCanvasElement} */ (element('strip'));
     const pen = strip.getContext('2d');

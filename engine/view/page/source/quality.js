@@ -1,6 +1,6 @@
 // @ts-check
-// How much is drawn of a heavy picture while something moves, by how long pictures take: a machine without a graphics
-// card is to turn it, too.
+// This decides how much is drawn of a heavy picture while something moves, by how long pictures take: a machine without
+// a graphics card is to turn it, too.
 
 import {kGrids, levelFor} from './coarse.js';
 
@@ -45,7 +45,7 @@ export class Quality {
   }
 
   /**
-   * How many pixels may become one, 0: none.
+   * Returns how many pixels may become one, or 0 for none.
    * @param {{pixels: number, countAt: (level: number) => number}[]} bodies the size of each on the screen, and how many
    *   triangles it has at a level
    * @param {boolean} isMoving

@@ -1,6 +1,6 @@
 // @ts-check
-// How surfaces are lit: flat, by the sky and by a lamp that goes with the eye. Less than three.js' own material does, for
-// without a graphics card each line is paid for each pixel.
+// Surfaces are lit flat, by the sky and by a lamp that goes with the eye. That is less than three.js' own material does,
+// because without a graphics card each line is paid for each pixel.
 
 import * as THREE from 'three';
 

@@ -1,5 +1,5 @@
 // @ts-check
-// Whether a processor draws in place of a graphics card, and smooth borders when they are asked for.
+// This tells whether a processor draws in place of a graphics card, and draws smooth borders when they are asked for.
 
 import * as THREE from 'three';
 

@@ -264,7 +264,7 @@ export class Stage {
     });
   }
 
-  /** How long a pixel is at a point. @param {THREE.Vector3} at */
+  /** Returns how long a pixel is at a point. @param {THREE.Vector3} at */
   pixelAt(at) {
     const away = Math.max(this.camera.near, at.clone().applyMatrix4(this.camera.matrixWorldInverse).z * -1);
     return 2 * Math.tan(THREE.MathUtils.degToRad(this.camera.fov / 2)) * away / Math.max(1, this.canvas.clientHeight);
@@ -286,7 +286,7 @@ export class Stage {
       const nearest = 1 / this.pixelAt(body.nearestTo(this.camera.position));
       return {body, nearest, pixels: body.longest(nearest), countAt: (/** @type {number} */ level) => body.shape.countAt(level)};
     });
-    // What is near first: what it covers then takes no time.
+    // Near bodies are drawn first: what they cover then takes no time.
     shown.sort((a, b) => b.nearest - a.nearest);
     const cell = this.quality.cell(shown, this.isMoving);
     const look = {hasEdges: this.layers.has('edges'), hasMarks: this.layers.has('triangles'), hasGlass: this.layers.has('glass'),
@@ -309,7 +309,7 @@ export class Stage {
     this.draw();
   }
 
-  /** How long pictures take while something moves: from one to the next, for the card draws when it can. */
+  /** Measures how long pictures take while something moves: from one to the next, for the card draws when it can. */
   measure() {
     if (!this.isMoving) return;
     const began = performance.now();
@@ -347,7 +347,7 @@ export class Stage {
   }
 
   /**
-   * What is seen at a place of the canvas.
+   * Returns what is seen at a place of the canvas.
    * @param {number} x @param {number} y pixels from its left upper corner
    * @returns {{body: number, triangle: number, at: THREE.Vector3, world: number[]}|null}
    */
@@ -384,7 +384,7 @@ export class Stage {
     return at.toArray().map((x, i) => center[i] + scale * x);
   }
 
-  /** Where a point is on the canvas; null if it is behind the eye. @param {THREE.Vector3} at */
+  /** Returns where a point is on the canvas, or null if it is behind the eye. @param {THREE.Vector3} at */
   onCanvas(at) {
     const seen = at.clone().project(this.camera);
     if (seen.z > 1 || seen.z < -1) return null;

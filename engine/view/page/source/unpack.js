@@ -2,7 +2,7 @@
 // The data of a page, as graze::View packs it (../../README.md): Base64 of gzip of a head, JSON and arrays of words.
 // Everything is checked before it is drawn: what is damaged is refused with a sentence for people.
 
-/** What is wrong with the data of a page, in words for people. */
+/** Says what is wrong with the data of a page, in words for people. */
 export class DataError extends Error {}
 
 const kMagic = 'GRAZEVW1';

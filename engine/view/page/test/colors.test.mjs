@@ -3,7 +3,7 @@ import {readFileSync} from 'node:fs';
 import test from 'node:test';
 import {kBrightness, kMarked, kMarks, kPalette} from '../source/colors.js';
 
-/** What the three kinds of dichromats see: Machado, Oliveira and Fernandes, "A physiologically-based model for simulation
+/** The sights of the three kinds of dichromats: Machado, Oliveira and Fernandes, "A physiologically-based model for simulation
  * of color vision deficiency", 2009, at full severity, on linear RGB. */
 const kSights = {
   everybody: [[1, 0, 0], [0, 1, 0], [0, 0, 1]],
