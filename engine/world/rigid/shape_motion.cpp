@@ -144,7 +144,8 @@ RigidContact earlier(const RigidContact& s, const RigidContact& t) {
 /// Returns whether two shapes are no further apart than the clearance at a time.
 bool are_near(const Shape& shape_a, const Shape& shape_b, const MovingShape& a,
               const MovingShape& b, double time, double clearance, Work& work) {
-  const PlacedShapeView placed_a{shape_a, a.motion.at(time)}, placed_b{shape_b, b.motion.at(time)};
+  const Pose pose_a = a.motion.at(time), pose_b = b.motion.at(time);
+  const PlacedShapeView placed_a{shape_a, pose_a}, placed_b{shape_b, pose_b};
   if (clearance == 0) return intersects(placed_a, placed_b, &work);
   return distance(placed_a, placed_b, &work).distance <= clearance;
 }
