@@ -91,7 +91,7 @@ TEST(SolidHollows, AllTrianglesOfTheWallThatIsLeftHaveContacts) {
     const Vector3d half{source.uniform(0.02, 0.3), source.uniform(0.01, 0.1),
                         source.uniform(0.02, 0.3)};
     Pose pose = Pose::Identity();
-    const Vector3d axis(source.uniform(-1, 1), source.uniform(-1, 1), source.uniform(-1, 1));
+    const Vector3d axis{source.uniform(-1, 1), source.uniform(-1, 1), source.uniform(-1, 1)};
     pose.linear() =
         Eigen::AngleAxisd(source.uniform(-0.2, 0.2), axis.normalized()).toRotationMatrix();
     pose.translation() = Vector3d{source.uniform(-0.6, 0.6), source.uniform(-0.25, 0.2), 0};
