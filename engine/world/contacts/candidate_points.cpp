@@ -1,10 +1,10 @@
 // Finds the contacts over the faces, edges and corners of a mesh that a convex shape touches.
 
+#include <graze/engine/world/contacts/last_touch.h>
 #include <graze/engine/world/contacts/triangle_candidates.h>
 #include <graze/engine/world/shapes/pair_input.h>
 #include <graze/engine/world/shapes/placed_core.h>
 #include <graze/narrowphase/convex/contact/contact_points.h>
-#include <graze/narrowphase/convex/contact/deepest_of_faces.h>
 #include <graze/narrowphase/convex/contact/point_name.h>
 #include <graze/narrowphase/convex/core/contact_face.h>
 #include <graze/narrowphase/convex/core/core_ray.h>
@@ -31,27 +31,15 @@ constexpr double kAlong = 0x1p-20;
 // the greatest.
 constexpr double kSameDepth = 1e-6;
 
+// Of last touches with several triangles another one counts if it is deeper by this share: a tenth
+// of what law 15 leaves to depths.
+constexpr double kSameTouch = 1e-4;
+
 Parting parting_of(const TouchedTriangle& member) {
   Parting parting;
   parting.penetration.normal = -member.parting.exit.direction;
   parting.penetration.depth = std::max(member.parting.exit.depth, 0.0);
   return parting;
-}
-
-// Points of a shape beside its deepest one have feature numbers from this on.
-constexpr std::uint64_t kBesideFeature = 0x30010;
-
-/// Returns a number for the place of a point on a core, by cells of an eighth of its radius.
-std::uint64_t place_on(const Core& core, const Vec3& point) {
-  // The offset keeps points of symmetric shapes away from the borders of cells.
-  constexpr double kCells = 8, kAside = 8.37;
-  constexpr int kBits = 5;
-  const double radius = core.bounding_radius + core.radius;
-  const Vec3 own = into_own(core, point - core.at) * (kCells / radius);
-  std::uint64_t place = 0;
-  for (const double along : {own.x, own.y, own.z})
-    place = place << kBits | static_cast<std::uint64_t>(std::max(along + kAside, 0.0));
-  return place;
 }
 
 /// Return the features of an edge of a mesh, given by its ends, and of a corner.
@@ -186,34 +174,46 @@ bool TriangleCandidates::add_deepest(const TouchedTriangle& member, std::uint64_
   return true;
 }
 
-/// Adds the point where a round face that ends over a rim of the mesh is deepest over the triangles
-/// of a region, if that is deeper than its corners, or if it has none there.
-void TriangleCandidates::add_over_rim(std::span<const TouchedTriangle> members, double deepest,
-                                      std::uint64_t of_shape) {
-  using enum narrowphase::CoreKind;
-  if (core_.kind != Cylinder && core_.kind != Cone) return;
-  std::optional<ContactPoint> best;
-  for (const TouchedTriangle& member : members) {
-    if (member.parting.feature != LeftFeature::Face) continue;
-    const Vec3 out = -member.parting.exit.direction;
-    const narrowphase::ContactFace face = face_along(bare(), out);
-    if (face.count <= 2) return;
-    const narrowphase::ContactFace below = face_along(member.triangle, -out);
-    const std::optional<narrowphase::MeetingPoints> ends =
-        deepest_of_faces({face, bare()}, {below, member.triangle}, out);
-    if (!ends) continue;
-    const double margin = candidates_.margin;
-    const double depth = dot(ends->on_a - ends->on_b, out) + margin;
-    if (!(depth > deepest) || depth < 0) continue;
-    deepest = depth;
-    best = ContactPoint{margin > 0 ? ends->on_a + out * margin : ends->on_a,
-                        ends->on_b,
-                        out,
-                        depth,
-                        of_shape,
-                        narrowphase::kPointFeature | face_feature(member.parting.triangle)};
-  }
-  if (best) candidates_.list.push_back(*best);
+/// Adds the point in which the shape touches the triangles of a region last on the way out, if that
+/// is deeper than what is there, or if there is nothing. So what parts them is the depth of a
+/// contact where the deepest point lies beside them: past a rim, beyond the end of an edge, in a
+/// valley.
+bool TriangleCandidates::add_last_touch(const RegionMembers& region, double deepest,
+                                        std::uint64_t of_shape) {
+  const Parting parting = parting_of(region.speaker);
+  const Vec3& out = parting.penetration.normal;
+  const double margin = candidates_.margin;
+  const double depth = parting.penetration.depth - margin;
+  std::optional<LastTouch> last;
+  std::uint32_t touched = 0;
+  double least = std::max(deepest, 0.0) - margin;
+  const auto try_member = [&](const TouchedTriangle& member) {
+    const std::optional<LastTouch> found =
+        last_touch(bare(), member.triangle, {-out, depth, least});
+    if (!found || (last && found->way <= last->way)) return;
+    last = found, touched = member.parting.triangle;
+    least = found->way + kSameTouch * std::max(found->way + margin, 0.0);
+  };
+  // That beside the deepest point mostly is the last, and the others then are soon done with.
+  const Vec3 foot = rounded_support(bare(), out) - out * depth;
+  const auto off = [&](const TouchedTriangle& member) {
+    return length(nearest_on_triangle(member.triangle, foot) - foot);
+  };
+  const TouchedTriangle* first = &region.members.front();
+  double least_off = off(*first);
+  for (const TouchedTriangle& member : region.members.subspan(1))
+    if (const double other = off(member); other < least_off) first = &member, least_off = other;
+  try_member(*first);
+  for (const TouchedTriangle& member : region.members)
+    if (&member != first) try_member(member);
+  if (!last) return false;
+  const double way = std::max(last->way + margin, 0.0);
+  if (!(way > deepest)) return false;
+  candidates_.found.clear();
+  candidates_.found.push_back({last->on_body + out * margin, last->on_other, out, way, of_shape,
+                               narrowphase::kPointFeature});
+  take(face_feature(touched));
+  return true;
 }
 
 /// Adds the nearest points of the triangle and a shape that touches it only by the margin, if they
@@ -240,10 +240,10 @@ void TriangleCandidates::add_apart(const Vec3& on_shape, const Vec3& on_mesh, co
 }
 
 /// Adds a point of the mesh and the point where the shape ends before it along the normal. Returns
-/// false if the line misses the shape, or ends more than the margin behind the point. The faces of
-/// a mesh's vertices are not known: nobody can say where a line through these ends.
+/// false if the line misses the shape, or ends more than the margin behind the point. Only pairs
+/// with a margin come here, so that the shape is never a mesh's vertices, whose faces nobody knows:
+/// those leave what encloses them, and a margin does not count there.
 bool TriangleCandidates::add_before(const Vec3& on_mesh, const Vec3& normal) {
-  if (core_.kind == narrowphase::CoreKind::Points && core_.hull == nullptr) return false;
   const double beyond = dot(rounded_support(core_, normal) - on_mesh, normal);
   const Vec3 origin = on_mesh + normal * (beyond + core_.bounding_radius + core_.radius);
   const std::optional<narrowphase::CoreRayHit> hit = cast_ray(bare(), origin, -normal);
@@ -255,36 +255,19 @@ bool TriangleCandidates::add_before(const Vec3& on_mesh, const Vec3& normal) {
   return true;
 }
 
-/// Adds a contact where the deepest point lies beyond the triangles that are touched, as in a
-/// valley: the point of the triangle next to that point, or to the shape's middle, or one that the
-/// two share, and the point where the shape ends behind it along the way out. So the normal stays
-/// that of the exit, whichever point is deepest.
-void TriangleCandidates::add_beside(const TouchedTriangle& member) {
+/// Adds a contact of a shape and a triangle that graze each other: that the shape does not touch on
+/// the way out, but for rounding. The nearest points that are found may be apart by more than that,
+/// as for edges that are almost parallel.
+void TriangleCandidates::add_grazing(const TouchedTriangle& member) {
   const Parting parting = parting_of(member);
   const Vec3& out = parting.penetration.normal;
-  const Vec3 deepest = rounded_support(core_, out);
   candidates_.found.clear();
-  if (core_.kind == narrowphase::CoreKind::Points && core_.hull == nullptr) {
-    add_point(deepest - out * parting.penetration.depth, parting, candidates_.found);
-    return take(face_feature(member.parting.triangle));
-  }
-  const narrowphase::CoreGap shared = narrowphase::nearest(core_, member.triangle);
-  // Which of several points is deepest may depend on rounding.
-  std::uint64_t which = kBesideFeature + (place_on(core_, deepest) << 32);
-  for (const Vec3& near : {deepest - out * parting.penetration.depth, core_.at, shared.point_b}) {
-    ++which;
-    if (!add_before(nearest_on_triangle(member.triangle, near), out)) continue;
-    candidates_.found.back().feature_a = which;  // each of these points is a contact of its own
-    return take(face_feature(member.parting.triangle));
-  }
-  // The line through the shared point misses the shape: the two graze each other there. The nearest
-  // points that were found may be apart by more than rounding, as for edges that are almost
-  // parallel.
   if (candidates_.margin > 0) {
     const narrowphase::CoreGap gap = narrowphase::nearest(bare(), member.triangle);
     const Vec3 between = unit_or(gap.point_b - gap.point_a, out);
     add_apart(gap.point_a + between * bare().radius, gap.point_b, out);
   } else {
+    const narrowphase::CoreGap shared = narrowphase::nearest(core_, member.triangle);
     const Vec3& on_shape = core_.radius > 0 ? shared.point_b : shared.point_a;
     candidates_.found.push_back(
         {on_shape, shared.point_b, out, 0, narrowphase::kPointFeature, narrowphase::kPointFeature});

@@ -1,6 +1,7 @@
 #include <graze/engine/world/contacts/local_parting.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace graze {
@@ -19,6 +20,14 @@ constexpr double kSameDepth = 1e-9;
 // An exit is surely too long if its bound is too long by this many times the length below which
 // exits count as equal.
 constexpr double kSureTimes = 4;
+
+/// Returns the least of `along` cos(p) + `within` sin(p) over the angles p of an arc. Between its
+/// ends the sum is least where it is minus its amplitude: there, if it falls at the beginning of
+/// the arc and rises at the end.
+double least_of(double along, double within, const DirectionArc& arc) {
+  if (within < 0 && within * arc.cosine > along * arc.sine) return -std::hypot(along, within);
+  return std::min(along, along * arc.cosine + within * arc.sine);
+}
 
 }  // namespace
 
@@ -77,10 +86,8 @@ std::optional<LocalParting> LocalPartings::below(double limit, std::uint32_t ind
     if (within[k] >= enough) continue;
     const std::optional<DirectionArc> arc = features_.arc(index, k, triangle, normal);
     if (!arc) continue;
-    // The deepest point alone gives a lower bound, which is least at the ends of the arc.
-    const double at_end =
-        (face_depth - core_.radius) * arc->cosine + within[k] * arc->sine + core_.radius;
-    const double at_least = std::min(at_end, face_depth);
+    // The deepest point alone gives a lower bound.
+    const double at_least = core_.radius + least_of(face_depth - core_.radius, within[k], *arc);
     if (!beats(at_least)) continue;
     Exit exit{{}, at_least};
     if (at_least < too_long)

@@ -175,6 +175,18 @@ void TriangleCandidates::part_from_slivers() {
   candidates_.end_region();
 }
 
+/// Adds the point that parts a shape from the triangles of a region: one of those that the two are
+/// nearest in, or the last that they touch in on the way out, whichever is deeper.
+void TriangleCandidates::add_parting(const RegionMembers& region, double deepest,
+                                     std::uint64_t of_shape) {
+  const std::size_t before = candidates_.list.size();
+  add_nearest(region.speaker);
+  const bool has_nearest = candidates_.list.size() > before;
+  if (has_nearest) deepest = std::max(deepest, candidates_.list.back().depth);
+  if (!add_last_touch(region, deepest, of_shape) || !has_nearest) return;
+  candidates_.list.erase(candidates_.list.begin() + static_cast<std::ptrdiff_t>(before));
+}
+
 void TriangleCandidates::add_region(std::span<TouchedTriangle> members) {
   s_.held.clear();
   for (const TouchedTriangle& member : members) {
@@ -212,12 +224,8 @@ void TriangleCandidates::add_region(std::span<TouchedTriangle> members) {
       return add_deepest(member, part_of_deepest);
     });
   };
-  if (most < least && !add_deepest_of_any()) {
-    add_nearest(speaker);
-    if (most >= 0 || candidates_.list.size() == before)
-      add_over_rim(members, most, part_of_deepest);
-  }
-  if (candidates_.list.size() == before) add_beside(speaker);
+  if (most < least && !add_deepest_of_any()) add_parting({speaker, members}, most, part_of_deepest);
+  if (candidates_.list.size() == before) add_grazing(speaker);
   drop_doubles(before);
   const RegionSurfaces surfaces(bare(), members,
                                 {.margin = candidates_.margin, .within = allowance});

@@ -48,6 +48,12 @@ class TriangleCandidates {
   };
   static Scratch& scratch();
 
+  /// The triangles of a region, and the one that says its way out.
+  struct RegionMembers {
+    const TouchedTriangle& speaker;
+    std::span<const TouchedTriangle> members;
+  };
+
   /// Returns the shape without the margin.
   const narrowphase::Core& bare() const { return bare_ ? *bare_ : core_; }
   narrowphase::Parting bare(narrowphase::Parting parting) const;
@@ -64,9 +70,9 @@ class TriangleCandidates {
   bool add_before(const narrowphase::Vec3& on_mesh, const narrowphase::Vec3& normal);
   void add_apart(const narrowphase::Vec3& on_shape, const narrowphase::Vec3& on_mesh,
                  const narrowphase::Vec3& normal);
-  void add_over_rim(std::span<const TouchedTriangle> members, double deepest,
-                    std::uint64_t of_shape);
-  void add_beside(const TouchedTriangle& member);
+  void add_parting(const RegionMembers& region, double deepest, std::uint64_t of_shape);
+  bool add_last_touch(const RegionMembers& region, double deepest, std::uint64_t of_shape);
+  void add_grazing(const TouchedTriangle& member);
   void add_alone(const TouchedTriangle& member);
   void take(std::uint64_t of_mesh);
   void drop_doubles(std::size_t first);

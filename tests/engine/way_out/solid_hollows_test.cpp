@@ -6,6 +6,8 @@
 #include <graze/engine/world/shape_pairs.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "tests/engine/way_out/tessellated.h"
@@ -76,6 +78,48 @@ TEST(SolidHollows, WhatIsInsideStairsHasAWayOut) {
     }
   }
   EXPECT_GT(inside, 500);
+}
+
+/// Beside a side wall of the stairs the contacts reach to the corners of the box's face, whichever
+/// triangles of the wall these are over: at the end of a hollow too, where an edge of the wall has
+/// a shorter way that does not lead out.
+TEST(SolidHollows, AllTrianglesOfTheWallThatIsLeftHaveContacts) {
+  RandomSource source(1535);
+  int asked = 0;
+  for (int n = 0; n < 3000; ++n) {
+    const Mesh solid = stairs(1 + n % 2, source);
+    const Vector3d half{source.uniform(0.02, 0.3), source.uniform(0.01, 0.1),
+                        source.uniform(0.02, 0.3)};
+    Pose pose = Pose::Identity();
+    const Vector3d axis{source.uniform(-1, 1), source.uniform(-1, 1), source.uniform(-1, 1)};
+    pose.linear() =
+        Eigen::AngleAxisd(source.uniform(-0.2, 0.2), axis.normalized()).toRotationMatrix();
+    pose.translation() = Vector3d{source.uniform(-0.6, 0.6), source.uniform(-0.25, 0.2), 0};
+    pose.translation().z() = source.uniform(0, 1.2);
+    const Shape box = Box{half};
+    if (!contains({solid, Pose::Identity()}, pose.translation())) continue;
+    if (intersects({box, pose}, {Shape(solid)})) continue;
+    const Manifold found = find_contacts({box, pose}, {Shape(solid)}, {.sides_b = kSolid});
+    ASSERT_FALSE(found.empty());
+    if (found[0].normal.y() < 1 - 1e-9) continue;  // it leaves by another wall than that at -0.3 m
+    double least = found[0].depth, least_of_corners = found[0].depth;
+    bool is_over_wall = true;
+    for (const ShapeContact& contact : found)
+      least = std::min(least, contact.depth);
+    for (const double x : {-half.x(), half.x()}) {
+      for (const double z : {-half.z(), half.z()}) {
+        const Vector3d corner = pose * Vector3d(x, half.y(), z);
+        least_of_corners = std::min(least_of_corners, corner.y() + 0.3);
+        const double height = 0.3 * (std::floor(corner.x() / 0.3) + 3);
+        is_over_wall &= corner.z() > 0 && corner.z() < height && std::abs(corner.x()) < 0.6;
+      }
+    }
+    // Of what is nearly level a corner may have moved towards a deeper point.
+    if (!is_over_wall || least_of_corners > 0.9 * found[0].depth) continue;
+    ++asked;
+    ASSERT_NEAR(least, least_of_corners, 1e-9) << n;
+  }
+  EXPECT_GT(asked, 50);
 }
 
 }  // namespace

@@ -28,9 +28,13 @@ namespace {
 // Lengths below this share of the body's size or of the scale count as 0.
 constexpr double kNegligible = 1e-9;
 
-// A body that has left by a feature touches it, to this share of the body's size. An exit along the
-// arc of an edge is the least to a millionth or so, and the place where the body touches then is as
-// far aside as the root of that.
+// A body that has left by a feature touches it, to this share of the body's size L. An exit along
+// the arc of an edge is the least to e = kFacingTolerance L. Its slope over the angle is how far
+// beside the edge the body then touches the plane through it. Near the least, a slope s costs at
+// least s^2 / (2 c), where c bounds the second derivative: for contours no flatter than the body is
+// large c is at most 2 L, and s at most sqrt(4 e L) = 6.4e-4 L. What is flatter leans from the
+// plane by as much less, and of polygons the corners alone are visited. Exits of corners and faces
+// are right to rounding. The rest is for searches that end by kMostSupports.
 constexpr double kMeeting = 1e-3;
 
 void refuse(const Mesh& mesh, const TriangleEdge& edge, const std::string& why) {
