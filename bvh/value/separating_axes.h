@@ -12,7 +12,7 @@
 //   n = e_i x f_j  |d_i2 r_i1j - d_i1 r_i2j|
 //                    > a_i1 |r_i2j| + a_i2 |r_i1j| + b_j1 |r_ij2| + b_j2 |r_ij1|
 // with i1, i2 the axes after i, and j1, j2 those after j. The kernels of wide trees use the same
-// inequalities in lanes (bvh/wide/walk/wide_pair_kernels.cpp,
+// inequalities in lanes (bvh/wide/lanes/near_lanes-inl.h,
 // bvh/wide/front/wide_front_kernels.cpp).
 
 #include <cmath>

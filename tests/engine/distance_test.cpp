@@ -288,6 +288,22 @@ TEST(MeshDistance, NothingIsLookedAtTwice) {
   EXPECT_LT(work.volume_tests, 54000u) << "62,900 if the rest is looked at from the root on";
 }
 
+// Of meshes that meet one pair is the answer: little is looked at behind the first one that meets.
+TEST(MeshDistance, OfMeshesThatMeetEndsWithTheFirstPair) {
+  const Mesh sphere = tests::make_sphere(1, 60, 60);
+  Work work;
+  for (int i = 0; i < 20; ++i) {
+    Pose aside = Pose::Identity();
+    aside.linear() =
+        Eigen::AngleAxisd(0.1 * i, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
+    aside.translation() = Eigen::Vector3d(1.2 + 0.01 * i, 0.3, 0.2);
+    const MeshDistance found = distance({sphere}, {sphere, aside}, {}, &work);
+    EXPECT_EQ(found.distance, 0);
+    EXPECT_EQ(find_triangle_pairs({sphere}, {sphere, aside}, {.limit = 1})[0], found.pair);
+  }
+  EXPECT_LT(work.filter_tests, 4000u) << "20,000 if a batch is filled before it is decided";
+}
+
 // Around two vertices that are nearest thirty-six pairs are as far apart: one of them is computed.
 TEST(MeshDistance, OnePairAroundNearestVerticesIsComputed) {
   RandomSource source(102);

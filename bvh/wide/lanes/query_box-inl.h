@@ -88,9 +88,17 @@ HWY_INLINE WideChildRef first_below(const WideTree& tree, const WideChildRef& ch
 
 /// The bits of the children that are leaves.
 HWY_INLINE std::uint32_t leaf_lanes(const WideNode& node) {
+  const hn::Rebind<std::uint32_t, Tag> tag;
+  const hn::Rebind<std::int32_t, Tag> signed_tag;
   std::uint32_t lanes = 0;
-  for (std::uint32_t lane = 0; lane < WideNode::kWidth; ++lane)
-    lanes |= static_cast<std::uint32_t>(ChildLink::is_leaf(node.child[lane])) << lane;
+  for (std::size_t lane = 0; lane < WideNode::kWidth; lane += hn::Lanes(tag)) {
+    // The leaf bit is the sign.
+    const auto links = hn::BitCast(signed_tag, hn::Load(tag, node.child + lane));
+    std::uint8_t bits[8] = {};
+    hn::StoreMaskBits(signed_tag, hn::Lt(links, hn::Zero(signed_tag)), bits);
+    lanes |= std::uint32_t{bits[0]} << lane;
+  }
+  static_assert(ChildLink::is_leaf(1u << 31) && !ChildLink::is_leaf(~(1u << 31)));
   return lanes;
 }
 

@@ -68,7 +68,7 @@ struct ChildLink {
     return kLeafBit | (first << kCountBits) | (count - 1);
   }
 
-  static bool is_leaf(std::uint32_t link) { return (link & kLeafBit) != 0; }
+  static constexpr bool is_leaf(std::uint32_t link) { return (link & kLeafBit) != 0; }
   static bool is_node(std::uint32_t link) { return link < kTreeletBit; }
   static bool is_treelet(std::uint32_t link) { return (link >> 30) == 1; }
   static std::uint32_t index(std::uint32_t link) { return link & ~kTreeletBit; }

@@ -16,7 +16,6 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <utility>
 
 HWY_BEFORE_NAMESPACE();
 namespace graze::bvh::HWY_NAMESPACE {
@@ -63,10 +62,6 @@ HWY_INLINE float tested_edge_error(const WideTree::Treelet& tested, const WideCh
   return slack + (kStoredError * tested.largest_coordinate + kLocalError * (2 * size_of(leaf)));
 }
 
-/// Where each step of a walk is decided by itself, so few pairs are placed in less time than this
-/// takes. Measured.
-inline constexpr std::size_t kFewPairs = 2;
-
 /// Few primitives of two leaves are left when boxes and planes have been asked: each pair is copied
 /// to a lane of its own, so that no lane is idle.
 class PairBatch {
@@ -100,19 +95,8 @@ class PairBatch {
   }
 
   /// Writes those that are not surely apart to `found`, in the order in which they came, and is
-  /// empty; so many or fewer without a look, as pairs that may meet. Returns how many it wrote.
-  HWY_INLINE std::size_t decide(FoundPair* found, std::size_t few) {
-    return size_ <= few ? hand_out(found) : decide_all(found);
-  }
-
- private:
-  HWY_INLINE std::size_t hand_out(FoundPair* found) {
-    for (std::size_t i = 0; i < size_; ++i)
-      found[i] = {places_[i], false};
-    return std::exchange(size_, 0);
-  }
-
-  HWY_NOINLINE std::size_t decide_all(FoundPair* found) {
+  /// empty. Returns how many it wrote. It must not be empty.
+  HWY_NOINLINE std::size_t decide(FoundPair* found) {
     const PairTag tag;
     const auto of_tested = hn::Load(tag, tested_error_);
     const auto of_query = hn::Load(tag, query_error_);
@@ -129,6 +113,7 @@ class PairBatch {
     return count;
   }
 
+ private:
   HWY_INLINE PairEdges<PairTag> edges() const {
     const PairTag tag;
     PairEdges<PairTag> edges;

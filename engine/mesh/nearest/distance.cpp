@@ -130,7 +130,7 @@ Meeting find_meeting(const WideQuery& query, Work& work) {
   if (query.are_far_apart(work)) return meeting;
   bvh::WidePairWalk walk = query.walk();
   Candidates candidates(Touch::Include, work);
-  query.decide_all(walk, candidates, [&](TrianglePair pair) {
+  query.decide_each_step(walk, candidates, [&](TrianglePair pair) {
     meeting.met = pair;
     return bvh::Walk::Stop;
   });

@@ -129,6 +129,22 @@ struct WideQuery {
     return candidates.decide(on_pair);
   }
 
+  /// Does the same, in the same order, for a query that the first of these pairs ends: what each
+  /// step of the walk has found is decided before the next one.
+  template <typename OnPair>
+  bvh::Walk decide_each_step(bvh::WidePairWalk& walk, Candidates& candidates,
+                             OnPair&& on_pair) const {
+    // A walk takes the same steps whatever room there is, and stops after each of them where it is
+    // hardly more than what one may find. Without any more its steps would be shorter.
+    bvh::FoundPair found[bvh::WidePairWalk::kMostAtOnce + 16];
+    while (const std::size_t count = walk.next(found)) {
+      if (decide_found({found, count}, candidates, on_pair) == bvh::Walk::Stop)
+        return bvh::Walk::Stop;
+      if (candidates.decide(on_pair) == bvh::Walk::Stop) return bvh::Walk::Stop;
+    }
+    return bvh::Walk::Continue;
+  }
+
   /// Does the same for a query that any pair ends: what one step of the walk has found is decided
   /// before the next one, for it is likely to be the last.
   template <typename OnPair>

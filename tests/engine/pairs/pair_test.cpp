@@ -250,6 +250,19 @@ TEST(Pair, ABooleanStopsAtItsFirstYesWhateverPrunes) {
   }
 }
 
+TEST(Pair, ABooleanTriesTheNearestLeavesFirstAndNoMore) {
+  const Mesh sphere = tests::make_sphere(1, 40, 40);
+  Work work;
+  for (int i = 0; i < 50; ++i) {
+    Pose pose = Pose::Identity();
+    pose.linear() =
+        Eigen::AngleAxisd(0.1 * i, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
+    pose.translation() = Eigen::Vector3d(1.2 + 0.01 * i, 0.3, 0.2);
+    EXPECT_TRUE(intersects({sphere}, {sphere, pose}, {}, &work));
+  }
+  EXPECT_LT(work.filter_tests, 50u * 32) << "two pairs of full leaves in each query";
+}
+
 TEST(Pair, SkinsAreMadeByTheFirstQueryThatNeedsThem) {
   const Mesh sphere = tests::make_sphere(1, 20, 20);
   const auto work_of = [&](PairVolume volume) {
