@@ -46,7 +46,7 @@ struct TrackedMatch {
   auto operator<=>(const TrackedMatch&) const = default;
 };
 
-/// What the bodies of a pair did since it was last listed.
+/// The motion of a pair's bodies since it was last listed, and what it allows.
 struct PairCourse {
   Pose a, b;                ///< where they are now
   double size = 0;          ///< of the smaller body, metres
@@ -57,7 +57,8 @@ struct PairCourse {
 
 namespace {
 
-/// The diagonal of the box around the shape in its own frame; infinite of a half-space.
+/// Returns the diagonal of the box around the shape in its own frame. It is infinite for a
+/// half-space.
 double diagonal_of(const BodyShape& shape) {
   const auto bounds = [&] { return shape.bounds(Pose::Identity()); };
   const Aabb box = shape.shape() != nullptr ? bounds() : bvh::in_users_arithmetic(bounds);
@@ -77,7 +78,7 @@ double least_cosine(double moved, double size) {
   return std::cos(std::min(moved / (kFine * size), kMost) * kDegree) + kRounding;
 }
 
-/// Whether law 15 lets `now` go on what `old` was.
+/// True if law 15 lets `now` be the same contact as `old`.
 bool may_go_on(const TrackedContact& old, const TrackedContact& now, const PairCourse& course) {
   constexpr double kTolerance = 1e-6;  // of the size, as the law has it
   const double change = std::abs(now.depth - old.depth);
@@ -85,27 +86,28 @@ bool may_go_on(const TrackedContact& old, const TrackedContact& now, const PairC
   return old.normal.dot(now.normal) >= course.least_cosine;
 }
 
-/// How far the farthest of the contacts' points moved with its body. They are points of the bodies,
-/// so that what is allowed by them is allowed by the law.
+/// Returns how far the farthest of the contacts' points moved with its body. The law takes the
+/// farthest of all points of the bodies, so it allows whatever is allowed by this length.
 double farthest_moved(std::span<const TrackedContact> contacts, const Pose& before, const Pose& now,
                       Eigen::Vector3d TrackedContact::*point) {
   const Eigen::Matrix3d turn = now.linear() - before.linear();
   const Eigen::Vector3d shift = now.translation() - before.translation();
-  if (turn.isZero(0) && shift.isZero(0)) return 0;  // as of what is fixed
+  if (turn.isZero(0) && shift.isZero(0)) return 0;  // the body has not moved
   double most = 0;
   for (const TrackedContact& contact : contacts)
     most = std::max(most, (turn * (contact.*point) + shift).squaredNorm());
   return std::sqrt(most);
 }
 
-/// How far `now` is from where either body took `old`, on that on which it is nearer.
+/// Returns how far `now` is from the place to which a body took `old`, the nearer of both places.
 double distance_between(const TrackedContact& old, const TrackedContact& now) {
   return std::sqrt(std::min((old.point_a - now.point_a).squaredNorm(),
                             (old.point_b - now.point_b).squaredNorm()));
 }
 
-/// Whether contacts are the same ones in the same order, as of most pairs at rest: each has the
-/// feature that it had, stayed where it was and may go on. Gives them their numbers.
+/// Gives contacts their old numbers and returns true if they are the same ones in the same order,
+/// which is so for most pairs at rest: each has the feature that it had, stayed where it was and
+/// may go on.
 bool go_on_in_order(std::span<const TrackedContact> old, std::span<TrackedContact> now,
                     const PairCourse& course) {
   if (old.size() != now.size()) return false;
@@ -164,8 +166,9 @@ ContactTracker::~ContactTracker() = default;
 ContactTracker::ContactTracker(ContactTracker&&) noexcept = default;
 ContactTracker& ContactTracker::operator=(ContactTracker&&) noexcept = default;
 
-/// What ended, or has no contacts any more although it touches, as one body is a sensor now. A pair
-/// that no longer touches may still be within its margin: then it is listed.
+/// Forgets pairs that ended, and pairs that touch but have no contacts any more because one body is
+/// a sensor now. A pair that no longer touches may still be within its margin. Then it is listed,
+/// and is kept.
 void ContactTracker::State::drop_ended(const WorldUpdate& update) {
   for (const std::span<const BodyPair> list : {update.ended, update.ended_near, update.moved}) {
     auto next = update.contacts.begin();
@@ -186,12 +189,12 @@ void ContactTracker::State::forget(const BodyPair& pair) {
   const std::uint32_t number = found->second;
   numbers.erase(found);
   pairs[number] = {};
-  pairs[number].pair = pair;  // `listed` ascends
+  pairs[number].pair = pair;  // so that `listed` still ascends
   free.push_back(number);
 }
 
-/// Returns the place of a pair, a new one for a new pair. Within an update pairs must be asked for
-/// in ascending order.
+/// Returns the place of a pair. A new pair gets a new place. Within an update pairs must be asked
+/// for in ascending order.
 std::uint32_t ContactTracker::State::number_of(const BodyPair& pair) {
   while (at < listed.size() && pairs[listed[at]].pair < pair)
     ++at;
@@ -233,7 +236,7 @@ void ContactTracker::State::match(std::span<const TrackedContact> old, const Pai
   }
 }
 
-/// `kept` holds what the manifold was.
+/// Takes a manifold. `kept` holds the contacts that it had, and is given the new ones.
 void ContactTracker::State::take_manifold(const Manifold& found, const TrackedPair& pair,
                                           TrackedManifold& kept, PairCourse course) {
   contacts.clear();
@@ -262,7 +265,8 @@ void ContactTracker::State::take_manifold(const Manifold& found, const TrackedPa
   kept.contacts.assign(contacts);
 }
 
-/// Of compounds there is a manifold for each two parts that meet; old and new ones ascend by parts.
+/// Takes the manifolds of a pair. Compounds have one for each two parts that meet, and old and new
+/// ones ascend by parts.
 void ContactTracker::State::take_manifolds(std::span<const BodyContact> manifolds,
                                            TrackedPair& pair, const PairCourse& course) {
   const std::span<TrackedManifold> before = pair.manifolds.all();
