@@ -44,6 +44,7 @@ class CoreOf {
     return core;
   }
   Core operator()(const Capsule& capsule) const {
+    if (capsule.half_length == 0) return (*this)(Sphere{{0, 0, 0}, capsule.radius});
     Core core = at(CoreKind::Segment, capsule.half_length);
     core.half.z = capsule.half_length;
     core.radius = capsule.radius;

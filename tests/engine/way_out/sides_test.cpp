@@ -1,6 +1,7 @@
 // Law 15 where a mesh is a solid, or has one side: what is behind its surface without touching it.
 
 #include <graze/bvh/error.h>
+#include <graze/engine/world/height_field.h>
 #include <graze/engine/world/manifold.h>
 #include <graze/engine/world/shape_pairs.h>
 #include <graze/engine/world/world.h>
@@ -303,6 +304,56 @@ TEST(Sides, WhatTouchesFromBehindHasContacts) {
               world.pairs().empty());
   }
   EXPECT_GT(enclosed, 50);
+}
+
+// However near what is behind comes to the surface, it leaves in front of it by all of its height.
+TEST(Sides, WhatIsBehindByAHairIsBehind) {
+  const MeshSides sides = MeshSides::one_sided(1);
+  const Shape sheet =
+      HeightField(2, 2, std::vector<float>(4, 1.f), {.spacing_x = 4, .spacing_y = 4});
+  for (const Shape& solid : {Shape(tests::tessellated_box({4, 4, 1}, 1)), sheet}) {
+    for (const Shape& body :
+         {Shape(Sphere{{0, 0, 0}, 0.5}), Shape(Box{{0.5, 0.5, 0.5}}), Shape(Capsule{0.25, 0.25}),
+          Shape(Cone{0.3, 0.5}), Shape(Ellipsoid{{0, 0, 0}, {0.3, 0.4, 0.5}})}) {
+      for (int bits = 53; bits >= 30; --bits) {
+        SCOPED_TRACE((std::ostringstream() << name_of(body.kind()) << " " << bits).str());
+        const Pose pose = tests::at(2.1, 2.2, 0.5 - std::ldexp(1, -bits));
+        for (const double margin : {0.0, 0.125}) {
+          const Manifold found =
+              find_contacts({solid}, {body, pose}, {.margin = margin, .sides_a = sides});
+          ASSERT_FALSE(found.empty());
+          EXPECT_NEAR(found[0].depth, 1, 1e-6);
+          EXPECT_NEAR(found[0].normal.z(), 1, 1e-9);
+        }
+        World world;
+        world.add({solid}, {.kind = BodyKind::Static, .sides = sides});
+        world.add({body, pose});
+        EXPECT_EQ(world.update().begun.size(), 1u);
+      }
+    }
+  }
+}
+
+TEST(Sides, ACapsuleWithoutLengthIsABall) {
+  const Shape sheet = HeightField(9, 9, std::vector<float>(81, 0.f));
+  const Shape solid = tests::tessellated_box({2, 2, 2}, 2);
+  for (const Vector3d& axis : {Vector3d(0, 0, 1), Vector3d(1, 0, 0), Vector3d(1, 2, 3)}) {
+    for (const double gap : {0.0, 0.125, 0.25}) {
+      Pose pose = tests::at(4.25, 4.125, -0.5 - gap);
+      pose.linear() = Eigen::Quaterniond::FromTwoVectors(Vector3d(0, 0, 1), axis).matrix();
+      Pose inside = pose;
+      inside.translation() = Vector3d(0.1, 0.2, 1.25);
+      const MeshSides one = MeshSides::one_sided(1);
+      for (const Shape& body : {Shape(Capsule{0.5, 0}), Shape(Sphere{{0, 0, 0}, 0.5})}) {
+        const Manifold found = find_contacts({sheet}, {body, pose}, {.sides_a = one});
+        ASSERT_FALSE(found.empty());
+        EXPECT_NEAR(found[0].depth, 1 + gap, 1e-9);
+        const Manifold out = find_contacts({solid}, {body, inside}, {.sides_a = kSolid});
+        ASSERT_FALSE(out.empty());
+        EXPECT_NEAR(out[0].depth, 1.25, 1e-9);
+      }
+    }
+  }
 }
 
 }  // namespace

@@ -101,11 +101,16 @@ bool Enclosure::is_inside() const {
   return contains(mesh_, to_eigen(support(core, {0, 0, 1}) + to_vec3(origin)), &work_);
 }
 
-/// The sum of the normals around the nearest point of the mesh decides.
+/// The sum of the normals around the nearest point of the mesh decides, against the direction in
+/// which the body is. Where a convex body is as near as rounding, the points may coincide or have
+/// changed places, but the normal is still that of planes that part the two. Of two meshes nothing
+/// but the points is known.
 bool Enclosure::is_behind() const {
   const ShapeDistance nearest = distance(body_, {mesh_.mesh, mesh_.pose}, &work_);
   if (nearest.distance > sides_.thickness()) return false;
-  const Vec3 to_body = to_vec3(nearest.point_a) - to_vec3(nearest.point_b);
+  const Vec3 to_body = body_.shape.kind() == ShapeKind::Mesh
+                           ? to_vec3(nearest.point_a) - to_vec3(nearest.point_b)
+                           : -to_vec3(nearest.normal);
   const double size = largest(to_vec3(nearest.point_b)) + nearest.distance;
   const TriangleList around =
       find_triangles(mesh_, Sphere{nearest.point_b, std::max(kNegligible * size, 0x1p-1000)});
