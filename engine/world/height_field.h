@@ -44,7 +44,8 @@ struct FieldRange {
 /// (c, r + 1), which turn counter-clockwise as seen from above. The field is the surface that these
 /// triangles form, but for holes, and all answers about it are those about mesh(), bit for bit,
 /// except for answers that depend on the tree of a mesh: the last bits of a distance's lower bound,
-/// times of casts within their tolerance and what is met then.
+/// times of casts within their tolerance and what is met then, and which of several points is named
+/// where they are equally near.
 ///
 /// A height field is a value: a copy is a handle to the same immutable heights, safe to use from
 /// many threads. It stores the heights as they are given, 4 bytes for each float or 2 for each

@@ -129,9 +129,9 @@ inline Manifold& Manifold::operator=(Manifold&& other) noexcept {
 /// least 19 twentieths of the width, but for the tolerance, because a face is taken where two edges
 /// would be nearer by less than that. If the poses are not rotations up to rounding, the tolerance
 /// grows by their deviation times the scale. The greatest depth of the contacts is that width, to
-/// the tolerance and to a thousandth of what parts the two along the normal. So a motion by d
-/// changes the width by at most d and the tolerance. A cylinder's cap and a cone's base count as
-/// octagons, except for how deep they are.
+/// the tolerance and to a thousandth, of two boxes to a twentieth, of what parts the two along the
+/// normal. A motion by d changes the width by at most d and the tolerance. A cylinder's cap and a
+/// cone's base count as octagons, except for how deep they are.
 ///
 /// **Meshes** are one-sided: their triangles turn counter-clockwise as seen from outside, and a
 /// body behind a surface leaves it in front. Law 15 (narrowphase/README.md) says what a region is
