@@ -1,4 +1,5 @@
 #include <graze/bvh/error.h>
+#include <graze/bvh/value/number_text.h>
 #include <graze/narrowphase/motion/path_checks.h>
 #include <cmath>
 #include <string>
@@ -44,9 +45,10 @@ void check_paths(const TrianglePath& triangle_a, const TrianglePath& triangle_b,
 
 void check_settings(const FirstContactSettings& settings) {
   if (settings.start != StartContact::Counts && settings.start != StartContact::IsLeft)
-    throw InputError("first contact: no such policy for a contact at the start");
+    throw InputError("first_contact: no such policy for a contact at the start");
   if (!std::isfinite(settings.clearance) || settings.clearance < 0)
-    throw InputError("first contact: the clearance is not a distance");
+    throw InputError("first_contact: the clearance is " + bvh::number_text(settings.clearance) +
+                     ", but must be finite and not negative");
 }
 
 void check_settings(const CastSettings& settings) {

@@ -121,7 +121,7 @@ class SeparatingTranslation(NamedTuple):
 
 
 @result
-class Separations(NamedTuple):
+class SeparatingTranslations(NamedTuple):
     """The same for each of n poses."""
 
     distance: Doubles

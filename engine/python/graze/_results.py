@@ -10,7 +10,7 @@ from graze._contact_results import MeshContacts as MeshContacts
 from graze._contact_results import ShapeContacts as ShapeContacts
 from graze._contact_results import MeshContactLists as MeshContactLists
 from graze._contact_results import ShapeContactLists as ShapeContactLists
-from graze._contact_results import Separations as Separations
+from graze._contact_results import SeparatingTranslations as SeparatingTranslations
 from graze._contact_results import Casts as Casts
 from graze._contact_results import MeshIntersection as MeshIntersection
 from graze._contact_results import SeparatingTranslation as SeparatingTranslation

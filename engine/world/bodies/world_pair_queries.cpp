@@ -1,6 +1,7 @@
 // Finds which bodies of two worlds, or of one, touch or are near each other.
 
 #include <graze/bvh/floating_point/standard_arithmetic.h>
+#include <graze/bvh/value/number_text.h>
 #include <graze/engine/world/bodies/nearest_bodies.h>
 #include <graze/engine/world/bodies/world_state.h>
 #include <graze/engine/world/compound.h>
@@ -221,7 +222,8 @@ std::vector<BodyPairDistance> World::find_within(const PlacedWorldView& other, d
                                                  const WorldPairSettings& settings) const {
   return bvh::in_standard_arithmetic([&]() -> std::vector<BodyPairDistance> {
     if (!(clearance >= 0 && clearance <= kLargestDistance))
-      throw InputError("find_within: the clearance is not finite or negative");
+      throw InputError("find_within: the clearance is " + bvh::number_text(clearance) +
+                       ", but must be finite and not negative");
     std::vector<BodyPairDistance> near;
     const OtherBodies bodies(*state_, other, settings);
     bodies.for_each([&](std::uint32_t index, const PosedBody& posed, const Aabb& box,

@@ -2,6 +2,7 @@
 
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/bvh/value/checks.h>
+#include <graze/bvh/value/number_text.h>
 #include <graze/engine/world/bodies/nearest_bodies.h>
 #include <graze/engine/world/bodies/world_state.h>
 #include <graze/engine/world/body_shapes/part_pairs.h>
@@ -117,7 +118,8 @@ std::vector<BodyDistance> World::find_within(const PlacedShapeView& placed, doub
   return bvh::in_standard_arithmetic([&]() -> std::vector<BodyDistance> {
     const auto& [shape, pose] = placed;
     if (!(clearance >= 0 && clearance <= kLargestDistance))
-      throw InputError("find_within: the clearance is not finite or negative");
+      throw InputError("find_within: the clearance is " + bvh::number_text(clearance) +
+                       ", but must be finite and not negative");
     const State& state = *state_;
     std::vector<BodyDistance> near;
     const Aabb box = grown(bounding_aabb({shape, pose}), clearance);

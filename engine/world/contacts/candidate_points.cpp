@@ -213,6 +213,14 @@ bool TriangleCandidates::add_last_touch(const RegionMembers& region, double deep
   candidates_.found.push_back({last->on_body + out * margin, last->on_other, out, way, of_shape,
                                narrowphase::kPointFeature});
   take(face_feature(touched));
+  // Of two points of one name the deeper stays.
+  std::vector<ContactPoint>& list = candidates_.list;
+  const ContactPoint& own = list.back();
+  const auto is_of_its_name = [&](const ContactPoint& other) {
+    return other.feature_a == own.feature_a && other.feature_b == own.feature_b;
+  };
+  const auto begin = list.begin() + static_cast<std::ptrdiff_t>(region.first);
+  list.erase(std::remove_if(begin, list.end() - 1, is_of_its_name), list.end() - 1);
   return true;
 }
 

@@ -24,7 +24,8 @@ struct WayOut {
 
 /// Returns the last touch of the body and the other one along the way, or nothing if they do not
 /// touch there. The body comes back from the end of the way by Newton's method: each step goes as
-/// far as the planes between the two are apart, so that none goes too far.
+/// far as the two are apart along the plane between them, so that none goes too far but for what a
+/// gap is off by.
 std::optional<LastTouch> last_touch(const narrowphase::Core& body, const narrowphase::Core& other,
                                     const WayOut& out);
 

@@ -11,7 +11,7 @@ namespace {
 
 void check_is_convex(const Shape& shape, const char* name) {
   if (shape.kind() != ShapeKind::Mesh && shape.kind() != ShapeKind::HeightField) return;
-  throw UnsupportedPairError(std::string("separation: ") + name +
+  throw UnsupportedPairError(std::string("find_separation: ") + name +
                              " is a mesh, which is a surface and has no depth");
 }
 

@@ -224,7 +224,8 @@ void TriangleCandidates::add_region(std::span<TouchedTriangle> members) {
       return add_deepest(member, part_of_deepest);
     });
   };
-  if (most < least && !add_deepest_of_any()) add_parting({speaker, members}, most, part_of_deepest);
+  if (most < least && !add_deepest_of_any())
+    add_parting({speaker, members, before}, most, part_of_deepest);
   if (candidates_.list.size() == before) add_grazing(speaker);
   drop_doubles(before);
   const RegionSurfaces surfaces(bare(), members,

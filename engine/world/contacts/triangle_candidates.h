@@ -52,6 +52,7 @@ class TriangleCandidates {
   struct RegionMembers {
     const TouchedTriangle& speaker;
     std::span<const TouchedTriangle> members;
+    std::size_t first;  ///< the region's first contact in the list of candidates
   };
 
   /// Returns the shape without the margin.

@@ -151,8 +151,8 @@ bool are_near(const Shape& shape_a, const Shape& shape_b, const MovingShape& a,
 }
 
 /// Answers a pair with one plane, or two. A shape that has come through a plane still touches the
-/// half-space that stands for it. So the time of the hit is brought down to the first double at
-/// which the half-space is touched, and it is a hit if the plane itself is touched then.
+/// half-space that stands for it. So the time of the hit is brought down to a double just before
+/// which the half-space is not touched, and it is a hit if the plane itself is touched then.
 RigidContact contact_of_plane(const MovingShape& a, const MovingShape& b,
                               const RigidContactSettings& settings, Work& work) {
   const HalfSpacePair by({a.shape, a.motion.start()}, {b.shape, b.motion.start()}, work);

@@ -1,4 +1,4 @@
-// Law 12 for meshes with a separation: what a walk finds beside each pair of triangles, or of
+// Law 12 for meshes with a clearance: what a walk finds beside each pair of triangles, or of
 // features.
 
 #include <graze/bvh/error.h>
@@ -115,7 +115,7 @@ TEST(Law12NearMeshes, AreEachTriangleWithEach) {
     const MeshPath b =
         moving(tests::random_soup({.count = 8, .size = 0.2}, source), 0.3, {0.2, 0, 0}, source);
     for (const StartContact start : kStarts) {
-      const FirstContactSettings settings{.start = start, .separation = 0.02 * (1 + n % 3)};
+      const FirstContactSettings settings{.start = start, .clearance = 0.02 * (1 + n % 3)};
       const auto found = first_contact(a, b, settings);
       expect_same(found, each_with_each(a, b, settings));
       later += found && !found->is_at_start;
@@ -175,7 +175,7 @@ TEST(Law12NearMeshes, OneWithItself) {
     }
     const MeshPath path(flat, flat.deformed(rolled));
     for (const StartContact start : kStarts) {
-      const FirstContactSettings settings{.start = start, .separation = 0.1};
+      const FirstContactSettings settings{.start = start, .clearance = 0.1};
       const auto found = first_self_contact(path, settings);
       expect_same(found, of_itself(path, settings));
       later += found && !found->is_at_start;

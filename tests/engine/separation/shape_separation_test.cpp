@@ -133,7 +133,7 @@ TEST(Law10ShapeSeparation, MeshesAndBadPosesAreRefused) {
     FAIL();
   } catch (const UnsupportedPairError& error) {
     EXPECT_STREQ(error.what(),
-                 "separation: shape B is a mesh, which is a surface and has no depth");
+                 "find_separation: shape B is a mesh, which is a surface and has no depth");
   }
   EXPECT_THROW(find_separation({mesh}, {box}), UnsupportedPairError);
   Pose skewed = Pose::Identity();

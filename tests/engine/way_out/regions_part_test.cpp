@@ -72,7 +72,10 @@ TEST(WayOut, Law15WhatIsDeepestPastARimParts) {
   RandomSource source(1551);
   int asked = 0;
   for (int n = 0; n < 600; ++n) {
-    const Vector3d half{source.uniform(0.3, 1), source.uniform(0.3, 1), source.uniform(0.3, 1)};
+    // Of large boxes gaps are known less well than the body is small.
+    const double times = n % 2 == 0 ? 1 : 200;
+    const Vector3d half{times * source.uniform(0.3, 1), times * source.uniform(0.3, 1),
+                        times * source.uniform(0.3, 1)};
     const Mesh box = tests::tessellated_box(half, 1 + n % 5);
     const ShapeKind kinds[] = {ShapeKind::Sphere, ShapeKind::Capsule, ShapeKind::Ellipsoid,
                                ShapeKind::Cylinder, ShapeKind::Cone};

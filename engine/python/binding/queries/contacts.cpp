@@ -154,7 +154,7 @@ py::object intersections_of(py::handle a, py::handle b, py::handle threads, py::
 py::object separations_of(py::handle a, py::handle b, py::handle direction, py::handle threads,
                           py::handle progress, py::handle work) {
   static const ResultType kSingle("SeparatingTranslation");
-  static const ResultType kMany("Separations");
+  static const ResultType kMany("SeparatingTranslations");
   const PlacedPair pair(a, b);
   pair.require_meshes("separating_translation");
   std::optional<Eigen::Vector3d> along;
@@ -231,7 +231,7 @@ constexpr const char* kSeparatingText =
 
 A translation of B after which two meshes are apart: a SeparatingTranslation of `distance`, `direction`, `translation` and
 `pose_b`. Along a direction of any length it is the last contact; without one the shortest that is found, which is no
-less than the smallest one. With many poses Separations: arrays.
+less than the smallest one. With many poses SeparatingTranslations: arrays.
 
 Raises InputError for a direction that is zero or not finite, and what intersects() raises.
 

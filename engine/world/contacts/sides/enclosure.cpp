@@ -33,7 +33,7 @@ constexpr double kNegligible = 1e-9;
 // beside the edge the body then touches the plane through it. Near the least, a slope s costs at
 // least s^2 / (2 c), where c bounds the second derivative: for contours no flatter than the body is
 // large c is at most 2 L, and s at most sqrt(4 e L) = 6.4e-4 L. What is flatter leans from the
-// plane by as much less, and of polygons the corners alone are visited. Exits of corners and faces
+// plane by as much less, and of polytopes the corners alone are visited. Exits of corners and faces
 // are right to rounding. The rest is for searches that end by kMostSupports.
 constexpr double kMeeting = 1e-3;
 
