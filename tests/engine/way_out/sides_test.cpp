@@ -307,41 +307,6 @@ TEST(Sides, WhatTouchesFromBehindHasContacts) {
   EXPECT_GT(enclosed, 50);
 }
 
-// However near what is behind comes to the surface, it leaves in front of it by all of its height.
-TEST(Sides, WhatIsBehindByAHairIsBehind) {
-  const MeshSides sides = MeshSides::one_sided(1);
-  const Shape sheet =
-      HeightField(2, 2, std::vector<float>(4, 1.f), {.spacing_x = 4, .spacing_y = 4});
-  const Shape hull = ConvexHull(std::vector<Vector3d>{
-      {0, 0, 0.5}, {0.4, 0, 0.5}, {0, 0.3, 0.5}, {0.2, 0.2, -0.5}, {-0.2, 0, -0.4}});
-  RandomSource source(1521);
-  for (const Shape& solid : {Shape(tests::tessellated_box({4, 4, 1}, 1)), sheet}) {
-    for (const Shape& body :
-         {Shape(Sphere{{0, 0, 0}, 0.5}), Shape(Box{{0.5, 0.5, 0.5}}), Shape(Capsule{0.25, 0.25}),
-          Shape(Cone{0.3, 0.5}), Shape(Cylinder{0.3, 0.5}),
-          Shape(Ellipsoid{{0, 0, 0}, {0.3, 0.4, 0.5}}), hull}) {
-      for (int bits = 53; bits >= 30; --bits) {
-        SCOPED_TRACE((std::ostringstream() << name_of(body.kind()) << " " << bits).str());
-        // What does not touch the surface is behind it, as its middle is.
-        for (const Pose& frame : {Pose::Identity(), tests::random_pose(1, source)}) {
-          const Pose pose = frame * tests::at(2.1, 2.2, 0.5 - std::ldexp(1, -bits));
-          if (intersects({solid, frame}, {body, pose})) continue;
-          for (const double margin : {0.0, 0.125}) {
-            const Manifold found =
-                find_contacts({solid, frame}, {body, pose}, {.margin = margin, .sides_a = sides});
-            ASSERT_FALSE(found.empty());
-            EXPECT_NEAR(found[0].depth, 1, 1e-6);
-          }
-          World world;
-          world.add({solid, frame}, {.kind = BodyKind::Static, .sides = sides});
-          world.add({body, pose});
-          EXPECT_EQ(world.update().begun.size(), 1u);
-        }
-      }
-    }
-  }
-}
-
 TEST(Sides, ACapsuleWithoutLengthIsABall) {
   const Shape sheet = HeightField(9, 9, std::vector<float>(81, 0.f));
   const Shape solid = tests::tessellated_box({2, 2, 2}, 2);

@@ -2,8 +2,8 @@
 #include <graze/bvh/value/number_text.h>
 #include <graze/engine/mesh/containment.h>
 #include <graze/engine/mesh/data/orientation.h>
-#include <graze/engine/mesh/volume_query.h>
 #include <graze/engine/world/contacts/local_parting.h>
+#include <graze/engine/world/contacts/sides/body_side.h>
 #include <graze/engine/world/contacts/sides/enclosure.h>
 #include <graze/engine/world/contacts/triangle_candidates.h>
 #include <graze/engine/world/shape_pairs.h>
@@ -96,30 +96,12 @@ bool Enclosure::is_inside() const {
       return contains(mesh_, narrowphase::place(body_.pose, body->vertices()[vertex]), &work_);
     });
   }
-  const Eigen::Vector3d origin = middle_of(body_.shape, body_.pose);
-  const Core core = core_of(body_.shape, body_.pose, origin);
-  return contains(mesh_, to_eigen(support(core, {0, 0, 1}) + to_vec3(origin)), &work_);
+  return contains(mesh_, inner_point(body_), &work_);
 }
 
-/// The sum of the normals around the nearest point of the mesh decides, against the direction in
-/// which the body is. Where a convex body is as near as rounding, the points may coincide or have
-/// changed places, but the normal is still that of planes that part the two. Of two meshes nothing
-/// but the points is known.
 bool Enclosure::is_behind() const {
   const ShapeDistance nearest = distance(body_, {mesh_.mesh, mesh_.pose}, &work_);
-  if (nearest.distance > sides_.thickness()) return false;
-  const Vec3 to_body = body_.shape.kind() == ShapeKind::Mesh
-                           ? to_vec3(nearest.point_a) - to_vec3(nearest.point_b)
-                           : -to_vec3(nearest.normal);
-  const double size = largest(to_vec3(nearest.point_b)) + nearest.distance;
-  const TriangleList around =
-      find_triangles(mesh_, Sphere{nearest.point_b, std::max(kNegligible * size, 0x1p-1000)});
-  Vec3 front{0, 0, 0};
-  for (const std::uint32_t index : around.triangles) {
-    const Triangle placed = narrowphase::place(mesh_.pose, mesh_.mesh.triangle(index));
-    front = front + LocalPartings::normal_of(core_of(placed, nearest.point_b));
-  }
-  return dot(front, to_body) < 0;
+  return nearest.distance <= sides_.thickness() && graze::is_behind(body_, mesh_, nearest, work_);
 }
 
 Core Enclosure::core(const Eigen::Vector3d& origin, std::vector<Vec3>& points) const {

@@ -1,0 +1,160 @@
+// Law 15 where a mesh has one side: what is behind its surface by no more than rounding, and what
+// is in front of its corners.
+
+#include <graze/engine/world/convex_hull.h>
+#include <graze/engine/world/height_field.h>
+#include <graze/engine/world/manifold.h>
+#include <graze/engine/world/shape_pairs.h>
+#include <graze/engine/world/world.h>
+#include <graze/narrowphase/predicates/predicates.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <sstream>
+#include <vector>
+
+#include "tests/engine/way_out/tessellated.h"
+#include "tests/engine/world/random_shapes.h"
+#include "tests/shapes/pose_at.h"
+#include "tests/shapes/random_meshes.h"
+
+namespace graze {
+namespace {
+
+using Eigen::Vector3d;
+
+/// A tetrahedron whose apex is up.
+const std::vector<Vector3d> kPyramid{
+    {0, 0, 0.5}, {0.5, 0, -0.5}, {0, 0.5, -0.5}, {-0.5, -0.5, -0.5}};
+const std::vector<TriangleIndices> kPyramidFaces{{1, 3, 2}, {0, 1, 2}, {0, 2, 3}, {0, 3, 1}};
+
+// However near what is behind comes to the surface, it leaves in front of it by all of its height.
+TEST(BodySide, WhatIsBehindByAHairIsBehind) {
+  const MeshSides sides = MeshSides::one_sided(1);
+  const Shape sheet =
+      HeightField(2, 2, std::vector<float>(4, 1.f), {.spacing_x = 4, .spacing_y = 4});
+  RandomSource source(1521);
+  for (const Shape& solid : {Shape(tests::tessellated_box({4, 4, 1}, 1)), sheet}) {
+    for (const Shape& body :
+         {Shape(Sphere{{0, 0, 0}, 0.5}), Shape(Box{{0.5, 0.5, 0.5}}), Shape(Capsule{0.25, 0.25}),
+          Shape(Cone{0.3, 0.5}), Shape(Cylinder{0.3, 0.5}),
+          Shape(Ellipsoid{{0, 0, 0}, {0.3, 0.4, 0.5}}), Shape(ConvexHull(kPyramid)),
+          Shape(Mesh(kPyramid, kPyramidFaces)),
+          Shape(tests::tessellated_box({0.5, 0.5, 0.5}, 1))}) {
+      for (int bits = 53; bits >= 30; --bits) {
+        SCOPED_TRACE((std::ostringstream() << name_of(body.kind()) << " " << bits).str());
+        // What does not touch the surface is behind it, as its middle is.
+        for (const Pose& frame : {Pose::Identity(), tests::random_pose(1, source)}) {
+          const Pose pose = frame * tests::at(2.1, 2.2, 0.5 - std::ldexp(1, -bits));
+          if (intersects({solid, frame}, {body, pose})) continue;
+          for (const double margin : {0.0, 0.125}) {
+            const Manifold found =
+                find_contacts({solid, frame}, {body, pose}, {.margin = margin, .sides_a = sides});
+            ASSERT_FALSE(found.empty());
+            EXPECT_NEAR(found[0].depth, 1, 1e-6);
+          }
+          World world;
+          world.add({solid, frame}, {.kind = BodyKind::Static, .sides = sides});
+          world.add({body, pose});
+          EXPECT_EQ(world.update().begun.size(), 1u);
+        }
+      }
+    }
+  }
+}
+
+// Rounding may bring the nearest points of flush faces together, or to wrong sides, most of all
+// where edges lie on edges. On which side the bodies are is known, as neither touches the surface.
+TEST(BodySide, FlushFacesAHairApartAreOnTheirSides) {
+  const MeshSides sides = MeshSides::one_sided(0.3);
+  const Shape floor = tests::tessellated_box({4, 4, 1}, 8);
+  RandomSource source(1522);
+  int asked = 0;
+  for (const Shape& body :
+       {Shape(Box{{0.5, 0.5, 0.5}}), Shape(tests::tessellated_box({0.5, 0.5, 0.5}, 1)),
+        Shape(Mesh(kPyramid, kPyramidFaces)), Shape(ConvexHull(kPyramid))}) {
+    const bool has_apex = body.kind() == ShapeKind::ConvexHull ||
+                          (body.as<Mesh>() != nullptr && body.as<Mesh>()->vertices().size() == 4);
+    for (int n = 0; n < 400; ++n) {
+      const Pose frame = tests::random_pose(1, source);
+      const double hair = std::ldexp(1, -53 + n % 8), x = 0.25 * (n % 5), y = 0.5 * (n % 3);
+      Pose over = tests::at(x, y, 1.5 + hair);
+      if (has_apex) over.linear() = Vector3d(1, -1, -1).asDiagonal();
+      const Pose under = tests::at(x, y, 0.5 - hair);
+      SCOPED_TRACE((std::ostringstream() << name_of(body.kind()) << " " << n).str());
+      if (!intersects({floor, frame}, {body, frame * over})) {
+        EXPECT_TRUE(
+            find_contacts({floor, frame}, {body, frame * over}, {.sides_a = sides}).empty());
+        ++asked;
+      }
+      if (!intersects({floor, frame}, {body, frame * under})) {
+        EXPECT_FALSE(
+            find_contacts({floor, frame}, {body, frame * under}, {.sides_a = sides}).empty());
+        ++asked;
+      }
+    }
+  }
+  EXPECT_GT(asked, 1500);
+}
+
+// What has no inside is on the side of the floor's plane on which all of its corners are, exactly.
+TEST(BodySide, SheetsAHairApartAreOnTheirSides) {
+  const MeshSides sides = MeshSides::one_sided(0.3);
+  RandomSource source(1523);
+  int behind = 0, in_front = 0;
+  for (int n = 0; n < 3000; ++n) {
+    const Pose frame = tests::random_pose(1, source);
+    const double height = std::ldexp(n % 2 == 0 ? 1 : -1, -53 + n % 5);
+    const auto placed = [&](double x, double y, double z) { return frame * Vector3d(x, y, z); };
+    const std::vector<Vector3d> floor{placed(-4, -4, 0), placed(8, -4, 0), placed(-4, 8, 0)};
+    const std::vector<Vector3d> sheet{placed(0, 0, height), placed(0.5, 0, height),
+                                      placed(0.1 + 0.1 * (n % 3), 0.75, height)};
+    int above = 0;
+    for (const Vector3d& corner : sheet)
+      above += static_cast<int>(narrowphase::orientation_3d(floor[0].data(), floor[1].data(),
+                                                            floor[2].data(), corner.data()));
+    if (std::abs(above) != 3) continue;
+    const std::vector<TriangleIndices> one{{0, 1, 2}};
+    SCOPED_TRACE(n);
+    EXPECT_EQ(
+        find_contacts({Shape(Mesh(floor, one))}, {Shape(Mesh(sheet, one))}, {.sides_a = sides})
+            .empty(),
+        above > 0);
+    ++(above > 0 ? in_front : behind);
+  }
+  EXPECT_GT(behind, 1000);
+  EXPECT_GT(in_front, 1000);
+}
+
+// A corner's normals count by their angles: many slivers on one of its sides count as one triangle.
+TEST(BodySide, WhatIsInFrontOfACornerIsInFrontHoweverItIsTessellated) {
+  const MeshSides sides = MeshSides::one_sided(0.3);
+  const Vector3d base[] = {{1, 0, -4}, {-0.5, std::sqrt(0.75), -4}, {-0.5, -std::sqrt(0.75), -4}};
+  for (const int slivers : {1, 3, 20}) {
+    std::vector<Vector3d> vertices{{0, 0, 0}, base[1], base[2]};
+    for (int n = 0; n < slivers; ++n)
+      vertices.push_back(base[0] + (base[1] - base[0]) * (static_cast<double>(n) / slivers));
+    std::vector<TriangleIndices> faces{{0, 1, 2}, {0, 2, 3}};
+    for (int n = 0; n < slivers; ++n) {
+      const auto first = static_cast<std::uint32_t>(3 + n);
+      faces.push_back({0, first, n + 1 == slivers ? 1 : first + 1});
+    }
+    const Shape spike = Mesh(vertices, faces);
+    // Each side's normal, and up: where the apex is the nearest point.
+    for (const double angle : {60., 180., 300.}) {
+      const double turn = angle * 0.017453292519943295;
+      const Vector3d away = Vector3d(std::cos(turn), std::sin(turn), 0.3).normalized();
+      const Pose front = tests::at(0.1 * away[0], 0.1 * away[1], 0.1 * away[2]);
+      EXPECT_TRUE(
+          find_contacts({spike}, {Sphere{{0, 0, 0}, 0.05}, front}, {.sides_a = sides}).empty())
+          << slivers << " " << angle;
+    }
+    EXPECT_FALSE(
+        find_contacts({spike}, {Sphere{{0, 0, 0}, 0.05}, tests::at(0, 0, -2)}, {.sides_a = sides})
+            .empty());
+  }
+}
+
+}  // namespace
+}  // namespace graze
