@@ -12,6 +12,13 @@ namespace {
 // Lengths below this share of the body's size do not count as obstacles.
 constexpr double kNegligible = 1e-9;
 
+// An exit along an arc is known to kFacingTolerance = 1e-7 of the body's size, and its direction to
+// less than a thousandth (enclosure.cpp derives it). So edges in one line or plane may have exits
+// that differ by that much, though all of them are the same. The shallower one, which is taken
+// first, must not clear the others: each may hold another part of the region.
+constexpr double kSameExitDepth = 1e-6;
+constexpr double kSameExitCosine = 1 - 5e-7;
+
 bool is_shorter(const TouchedTriangle& s, const TouchedTriangle& t) {
   const double of_s = s.parting.exit.depth, of_t = t.parting.exit.depth;
   return of_s != of_t ? of_s < of_t : s.parting.triangle < t.parting.triangle;
@@ -33,12 +40,22 @@ const TouchedTriangle& speaker_of(std::span<const TouchedTriangle> members) {
 void ContactRegions::start(std::vector<TouchedTriangle>& touched, double size) {
   std::sort(touched.begin(), touched.end(), is_taken_before);
   clearance_.start(kNegligible * size);
+  negligible_ = kSameExitDepth * size;
   directions_.clear();
 }
 
 bool ContactRegions::is_known(const Vec3& direction) const {
   return std::any_of(directions_.begin(), directions_.end(),
                      [&](const Vec3& known) { return is_one_direction(known, direction); });
+}
+
+std::optional<std::uint32_t> ContactRegions::number_as_deep(const narrowphase::Exit& exit) const {
+  if (!clearance_.satisfies({exit.direction, exit.depth - negligible_})) return std::nullopt;
+  const auto at = std::find_if(directions_.begin(), directions_.end(), [&](const Vec3& known) {
+    return dot(known, exit.direction) > kSameExitCosine;
+  });
+  if (at == directions_.end()) return std::nullopt;
+  return static_cast<std::uint32_t>(at - directions_.begin());
 }
 
 std::uint32_t ContactRegions::number_of(const Vec3& direction) {

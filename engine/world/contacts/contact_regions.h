@@ -7,6 +7,7 @@
 #include <graze/engine/world/contacts/local_parting.h>
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -50,14 +51,17 @@ class ContactRegions {
     for (std::size_t i = 0; i < touched.size(); ++i) {
       TouchedTriangle& next = touched[i];
       const narrowphase::Exit& exit = next.parting.exit;
+      std::optional<std::uint32_t> direction;
       if (clearance_.satisfies(exit)) {
         if (!is_known(exit.direction)) continue;
-      } else if (kept > 0 && is_apart(clearance_.translation(), next.triangle)) {
-        continue;
       } else {
+        if (kept > 0 && is_apart(clearance_.translation(), next.triangle)) {
+          direction = number_as_deep(exit);
+          if (!direction || is_apart(short_of(exit), next.triangle)) continue;
+        }
         clearance_.add(exit);
       }
-      next.direction = number_of(exit.direction);
+      next.direction = direction ? *direction : number_of(exit.direction);
       if (kept != i) touched[kept] = next;
       ++kept;
     }
@@ -83,9 +87,17 @@ class ContactRegions {
   void start(std::vector<TouchedTriangle>& touched, double size);
   bool is_known(const narrowphase::Vec3& direction) const;
   std::uint32_t number_of(const narrowphase::Vec3& direction);
+  /// Returns the number of the direction of an exit before that is the same, but for the tolerance
+  /// of the search; nothing if there is none.
+  std::optional<std::uint32_t> number_as_deep(const narrowphase::Exit& exit) const;
+  /// Returns the translation so far, less what exits that are the same differ by.
+  narrowphase::Vec3 short_of(const narrowphase::Exit& exit) const {
+    return clearance_.translation() - exit.direction * negligible_;
+  }
   std::uint32_t root_of(std::uint32_t member);
 
   Clearance clearance_;
+  double negligible_ = 0;  ///< metres, by which depths of exits differ that are the same
   std::vector<narrowphase::Vec3> directions_;
   std::vector<CornerOf> corners_;
   std::vector<std::uint32_t> parent_;
