@@ -43,7 +43,8 @@ TEST(Ridges, ACylinderIsAsNearAsTheEdgeBelowIt) {
     const Shape roof = bent_roof(source);
     const double radius = source.uniform(0.1, 0.4);
     const Shape cylinder = Cylinder{radius, source.uniform(0.2, 0.6)};
-    Pose level = tests::at(source.uniform(-0.8, 0.8), 0, radius + source.uniform(0, 0.02));
+    const double along = source.uniform(-0.8, 0.8), gap = source.uniform(0, 0.02);
+    Pose level = tests::at(along, 0, radius + gap);
     level.linear() = (Eigen::AngleAxisd(source.uniform(0, 3), Vector3d(0, 0, 1)) *
                       Eigen::AngleAxisd(std::acos(0.), Vector3d(1, 0, 0)))
                          .toRotationMatrix();
