@@ -14,6 +14,12 @@
 // r'), with 2^-20 E in r', which covers also what it is rounded itself, 5 2^-24 of it. It is not
 // below 2^-90, where no underflow counts. s is off by 2 for each unit of z
 // (tests/proofs/ray_leaves.gappa).
+//
+// The place of a sure hit is known better than by the depths of the corners: s = sum w s_c / sum w,
+// with the product of the edge across from each corner c as w. If these are off by d, that is off
+// by sum d (s_c - s) / sum w: at most three bounds of an edge, divided by the sum of the products,
+// times how far apart the corners' depths may be, which `first` and `last` say. Four of them cover
+// what that is rounded itself, as depths are off by more than they are rounded.
 
 #if defined(GRAZE_BVH_RAY_LEAF) == defined(HWY_TARGET_TOGGLE)
 #ifdef GRAZE_BVH_RAY_LEAF
@@ -34,6 +40,8 @@ namespace {
 inline constexpr float kHalfStep = 0x1.01p-11f;
 inline constexpr float kLeafRounding = 0x1p-20f;
 inline constexpr float kExtentShare = kHalfStep + kLeafRounding;
+/// The rounding of a sure hit's place between its corners.
+inline constexpr float kPlaceRounding = 0x1p-20f;
 
 /// A leaf as a ray sees it.
 struct SeenLeaf {
@@ -91,18 +99,20 @@ HWY_INLINE LeafAnswer ask_lanes(const std::uint32_t* corners, std::uint32_t coun
                                 float* most) {
   const RayTag tag;
   const hn::Rebind<std::uint32_t, RayTag> bits;
-  RayLanes x[3], y[3], size, low, high;
+  RayLanes x[3], y[3], z[3], size, low, high;
   for (std::uint32_t c = 0; c < 3; ++c) {
     const auto packed = hn::LoadU(bits, corners + c * count + lane);
-    const RayLanes z = corner_lanes(packed, ray.axes->mask[2]);
-    x[c] = hn::MulAdd(corner_lanes(packed, ray.axes->mask[0]), hn::Set(tag, leaf.step[0]),
-                      hn::MulAdd(z, hn::Set(tag, leaf.leaned_step[0]), hn::Set(tag, leaf.base[0])));
-    y[c] = hn::MulAdd(corner_lanes(packed, ray.axes->mask[1]), hn::Set(tag, leaf.step[1]),
-                      hn::MulAdd(z, hn::Set(tag, leaf.leaned_step[1]), hn::Set(tag, leaf.base[1])));
+    z[c] = corner_lanes(packed, ray.axes->mask[2]);
+    x[c] =
+        hn::MulAdd(corner_lanes(packed, ray.axes->mask[0]), hn::Set(tag, leaf.step[0]),
+                   hn::MulAdd(z[c], hn::Set(tag, leaf.leaned_step[0]), hn::Set(tag, leaf.base[0])));
+    y[c] =
+        hn::MulAdd(corner_lanes(packed, ray.axes->mask[1]), hn::Set(tag, leaf.step[1]),
+                   hn::MulAdd(z[c], hn::Set(tag, leaf.leaned_step[1]), hn::Set(tag, leaf.base[1])));
     const RayLanes its = hn::Add(hn::Abs(x[c]), hn::Abs(y[c]));
     size = c == 0 ? its : hn::Max(size, its);
-    low = c == 0 ? z : hn::Min(low, z);
-    high = c == 0 ? z : hn::Max(high, z);
+    low = c == 0 ? z[c] : hn::Min(low, z[c]);
+    high = c == 0 ? z[c] : hn::Max(high, z[c]);
   }
   RayLanes edge[3];
   for (std::size_t c = 0; c < 3; ++c) {
@@ -127,7 +137,17 @@ HWY_INLINE LeafAnswer ask_lanes(const std::uint32_t* corners, std::uint32_t coun
   const auto is_sure = hn::And(
       is_passed, hn::And(hn::Ge(first, hn::Zero(tag)), hn::Le(last, hn::Set(tag, ray.sure_limit))));
   hn::StoreU(first, tag, least + lane);
-  hn::StoreU(last, tag, most + lane);
+  const RayLanes sum = hn::Add(hn::Add(edge[0], edge[1]), edge[2]);
+  const RayLanes per_sum = hn::Div(hn::Set(tag, 1.0f), sum);
+  const RayLanes weighted =
+      hn::MulAdd(edge[0], hn::Sub(z[2], low),
+                 hn::MulAdd(edge[1], hn::Sub(z[0], low), hn::Mul(edge[2], hn::Sub(z[1], low))));
+  const RayLanes share =
+      hn::MulAdd(hn::Mul(hn::Set(tag, 4.0f), off), hn::Abs(per_sum), hn::Set(tag, kPlaceRounding));
+  const RayLanes place = hn::MulAdd(weighted, per_sum, low);
+  const RayLanes there = hn::MulAdd(place, along_step, hn::Set(tag, leaf.along_most));
+  // Where it is not a sure hit this may be anything.
+  hn::StoreU(hn::Min(hn::MulAdd(share, hn::Sub(last, first), there), last), tag, most + lane);
   return {near << lane, ray_bits(is_sure) << lane};
 }
 

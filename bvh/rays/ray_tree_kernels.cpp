@@ -78,9 +78,10 @@ HWY_INLINE Open open_children(std::uint32_t where, std::uint32_t lanes, const fl
 }
 
 /// Lists the primitives of a leaf that are not surely missed, and returns how many. Lowers the
-/// limit to sure hits, and says whether there were any, unless all are wanted.
-HWY_INLINE std::size_t visit_leaf(const RayTree& tree, const RayNode& node, std::uint32_t of_leaf,
-                                  RayWalkState& state, RayCandidate* found, bool& is_surely_hit) {
+/// limit to sure hits, and says whether there were any, unless all are wanted. It is no part of the
+/// loop over nodes, which would leave it half of the registers.
+HWY_NOINLINE std::size_t visit_leaf(const RayTree& tree, const RayNode& node, std::uint32_t of_leaf,
+                                    RayWalkState& state, RayCandidate* found, bool& is_surely_hit) {
   const RayChild leaf = node.child[of_leaf];
   const std::uint32_t* const primitives = tree.primitives + leaf.place();
   // A row of indices and its points are two misses, one after the other: the first begins before it

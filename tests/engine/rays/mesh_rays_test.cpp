@@ -6,6 +6,7 @@
 #include <graze/engine/mesh/data/mesh_rays.h>
 #include <graze/engine/mesh/mesh_ray.h>
 #include <graze/engine/mesh/placement.h>
+#include <graze/engine/work.h>
 #include <graze/narrowphase/triangle_ray.h>
 #include <gtest/gtest.h>
 
@@ -207,6 +208,40 @@ TEST(MeshRays, PlaceHardlyMoreThanWhatTheyMeet) {
   EXPECT_GT(work.filter_tests, 3 * hits);
   EXPECT_LT(work.triangle_tests, hits + hits / 5);
   EXPECT_LT(work.exact_tests, 10u);
+}
+
+/// A ball drawn out along z, so that most of its faces are steep for rays that go there.
+Mesh drawn_out() {
+  constexpr std::uint32_t kRings = 40;
+  constexpr double kPi = 3.14159265358979;
+  std::vector<Vector3d> points;
+  std::vector<TriangleIndices> triangles;
+  for (std::uint32_t i = 0; i <= kRings; ++i) {
+    for (std::uint32_t j = 0; j < kRings; ++j) {
+      const double polar = kPi * i / kRings, turn = 2 * kPi * j / kRings;
+      points.emplace_back(std::sin(polar) * std::cos(turn), std::sin(polar) * std::sin(turn),
+                          4 * std::cos(polar));
+    }
+  }
+  for (std::uint32_t i = 0; i < kRings; ++i) {
+    for (std::uint32_t j = 0; j < kRings; ++j) {
+      const std::uint32_t a = i * kRings + j, b = i * kRings + (j + 1) % kRings;
+      triangles.push_back({a, a + kRings, b});
+      triangles.push_back({b, a + kRings, b + kRings});
+    }
+  }
+  return {points, triangles};
+}
+
+/// With faces bounded by their far ends, 6,200 triangles are asked; else 5,000.
+TEST(MeshRays, LookNoFurtherThanWhereASteepFaceIsMet) {
+  const Mesh mesh = drawn_out();
+  Work work;
+  for (int x = -10; x <= 10; ++x) {
+    for (int y = -10; y <= 10; ++y)
+      cast_ray({mesh}, {{x / 10.0 + 0.013, y / 10.0 + 0.007, -8}, {0.001, 0.002, 1}}, &work);
+  }
+  EXPECT_LT(work.filter_tests, 5600u);
 }
 
 TEST(MeshRays, FirstUseByManyThreads) {
