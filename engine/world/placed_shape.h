@@ -4,6 +4,7 @@
 #include <graze/engine/world/shape.h>
 
 #include <optional>
+#include <type_traits>
 #include <utility>
 
 namespace graze {
@@ -41,6 +42,19 @@ struct PlacedShapeView {
   PlacedShapeView(const PlacedShape& placed) : shape(placed.shape), pose(placed.pose) {}
   PlacedShapeView(PlacedShape&& placed)
       : PlacedShapeView(std::move(placed.shape), std::move(placed.pose)) {}
+
+  /// Makes the shape where it is held, so that it is not moved there.
+  template <typename Kind>
+  requires(!std::is_same_v<Kind, Shape> && std::is_convertible_v<const Kind&, Shape>)
+      PlacedShapeView(const Kind& of_kind, const Pose& in_pose)
+      : held_shape_(std::in_place, of_kind), shape(*held_shape_), pose(in_pose) {}
+  template <typename Kind>
+  requires(!std::is_same_v<Kind, Shape> && std::is_convertible_v<const Kind&, Shape>)
+      PlacedShapeView(const Kind& of_kind, Pose&& in_pose)
+      : held_shape_(std::in_place, of_kind),
+        held_pose_(in_pose),
+        shape(*held_shape_),
+        pose(*held_pose_) {}
   // NOLINTEND(google-explicit-constructor)
 
   /// Holds what `other` holds, and refers to what it refers to.
