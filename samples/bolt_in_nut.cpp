@@ -69,9 +69,8 @@ bool answer_motions(const graze::Mesh& bolt, const graze::Mesh& nut,
   const graze::RigidMotion rest(graze::Pose::Identity());
   const auto turned = [&](double lead) {
     return graze::first_contact(
-        bolt, rest, nut,
-        graze::RigidMotion::screw(screwed_on,
-                                  {.axis = {0, 0, -1}, .angle = kAngle, .pitch = lead}));
+        {bolt, rest}, {nut, graze::RigidMotion::screw(
+                                screwed_on, {.axis = {0, 0, -1}, .angle = kAngle, .pitch = lead})});
   };
   const graze::RigidContact right = turned(kLead), wrong = turned(1.2 * kLead);
   const bool is_free = right.status == graze::RigidStatus::Free;

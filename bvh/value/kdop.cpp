@@ -12,11 +12,12 @@ namespace bvh {
 void check_kdop(const KDop<18>& kdop, const char* what) {
   for (int i = 0; i < KDop<18>::kSlabs; ++i) {
     if (!std::isfinite(kdop.min[i]) || !std::isfinite(kdop.max[i])) {
-      throw InputError(std::string(what) + ": slab " + std::to_string(i) + " is not finite");
+      throw InputError(std::string(what) + ": slab " + std::to_string(i) + " is not finite",
+                       {.element = "slab", .index = static_cast<std::size_t>(i)});
     }
     if (kdop.min[i] > kdop.max[i]) {
-      throw InputError(std::string(what) + ": minimum exceeds maximum in slab " +
-                       std::to_string(i));
+      throw InputError(std::string(what) + ": minimum exceeds maximum in slab " + std::to_string(i),
+                       {.element = "slab", .index = static_cast<std::size_t>(i)});
     }
   }
 }

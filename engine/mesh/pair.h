@@ -23,6 +23,13 @@ bool intersects(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b,
 TrianglePairs find_triangle_pairs(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b,
                                   const PairSettings& settings = {}, Work* work = nullptr);
 
+/// Returns all these pairs, found by several threads, as in `find_triangle_pairs({bolt}, {nut},
+/// {.threads = 0})`. It is a template, with one instance, only so that C++ prefers the function
+/// above where the settings name no threads.
+template <typename = void>
+TrianglePairs find_triangle_pairs(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b,
+                                  const SharedPairSettings& settings, Work* work = nullptr);
+
 /// True if and only if the open interiors of two closed meshes, as they are placed (law 1), have a
 /// point in common: what both enclose by the even-odd rule (containment.h), without their surfaces.
 /// So what merely touches, in a vertex, along an edge or face on face, from outside or from within

@@ -44,10 +44,17 @@ class PairMemory {
 bool intersects(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b, PairMemory& memory,
                 const MemoryQuerySettings& settings = {}, Work* work = nullptr);
 
-/// Answers find_triangle_pairs() in the same way. With more threads than one, and where there are
-/// more pairs than a limit, the memory saves time only where nothing touches.
+/// Answers find_triangle_pairs() in the same way. Where there are more pairs than a limit, the
+/// memory saves time only where nothing touches.
 TrianglePairs find_triangle_pairs(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b,
                                   PairMemory& memory, const MemoryPairSettings& settings = {},
+                                  Work* work = nullptr);
+
+/// Answers find_triangle_pairs() that several threads share in the same way. With more threads than
+/// one the memory saves time only where nothing touches. It is a template as that one is.
+template <typename = void>
+TrianglePairs find_triangle_pairs(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b,
+                                  PairMemory& memory, const SharedPairSettings& settings,
                                   Work* work = nullptr);
 
 /// Answers distance() in the same way, to the last bit. The settings' hint is looked at where the

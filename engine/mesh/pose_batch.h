@@ -4,17 +4,19 @@
 #include <graze/engine/mesh/pair.h>
 
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace graze {
 
 /// A mesh in each of many poses, as the second argument of queries: `intersects({bolt}, {nut,
-/// poses})`. It refers to both, which must outlive it.
+/// poses})`. It refers to the poses, which must outlive it.
 struct MeshInPoses {
-  /// Refers to the mesh and the poses.
-  MeshInPoses(const Mesh& mesh_b, std::span<const Pose> poses_b) : mesh(mesh_b), poses(poses_b) {}
+  /// Refers to the poses.
+  MeshInPoses(Mesh mesh_b, std::span<const Pose> poses_b)
+      : mesh(std::move(mesh_b)), poses(poses_b) {}
 
-  const Mesh& mesh;             ///< must outlive this
+  Mesh mesh;                    ///< a handle
   std::span<const Pose> poses;  ///< must outlive this
 };
 

@@ -51,17 +51,19 @@ struct PairSettings {
   PairVolume volume = PairVolume::WideObb;
   /// The pairs that count.
   Touch touch = Touch::Include;
-  /// The number of threads that share the query at most; 0 means all that there are. A query that
-  /// has a limit, or that uses another volume than WideObb, runs on one thread, whatever number is
-  /// given here: which pairs come first is for one thread to say.
-  int threads = 1;
+};
+
+/// The settings of find_triangle_pairs() that threads share. All pairs are found, always by
+/// PairVolume::WideObb: which pairs come first is for one thread to say, so that there is no limit.
+struct SharedPairSettings {
+  Touch touch = Touch::Include;  ///< the pairs that count
+  int threads = 0;               ///< how many threads share the query at most, as in batches all
 };
 
 /// The settings of find_triangle_pairs() with a PairMemory.
 struct MemoryPairSettings {
   std::size_t limit = kNoLimit;  ///< the limit, as in PairSettings
   Touch touch = Touch::Include;  ///< the pairs that count
-  int threads = 1;               ///< the number of threads, as in PairSettings
 };
 
 /// The settings of find_intersection().

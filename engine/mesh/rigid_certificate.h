@@ -40,8 +40,8 @@ struct FreedomCertificate {
 
 /// Returns a proof where is_free() says yes, and nothing where it says no. It takes 40 bytes a
 /// step, of which there are up to two for each pair of boxes or triangles that is tested.
-std::optional<FreedomCertificate> certify_free(const Mesh& mesh_a, const RigidMotion& motion_a,
-                                               const Mesh& mesh_b, const RigidMotion& motion_b,
+std::optional<FreedomCertificate> certify_free(const MeshInMotion& mesh_a,
+                                               const MeshInMotion& mesh_b,
                                                const RigidContactSettings& settings = {},
                                                Work* work = nullptr);
 
@@ -52,7 +52,7 @@ std::optional<FreedomCertificate> certify_free(const Mesh& mesh_a, const RigidMo
 /// certificate may be refused, but of those that certify_free() makes only the ones for motions of
 /// many thousand turns, or for triangles ten thousand million times as large as the tolerance. What
 /// is broken in any way is refused with false; nothing is thrown for it.
-bool proves_freedom(const FreedomCertificate& certificate, const Mesh& mesh_a,
-                    const RigidMotion& motion_a, const Mesh& mesh_b, const RigidMotion& motion_b);
+bool proves_freedom(const FreedomCertificate& certificate, const MeshInMotion& mesh_a,
+                    const MeshInMotion& mesh_b);
 
 }  // namespace graze

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace graze {
@@ -46,6 +47,15 @@ struct RigidContact {
   bool operator==(const RigidContact&) const = default;
 };
 
+/// A mesh in rigid motion, as the argument of queries: `first_contact({bolt, rest}, {nut, path})`.
+/// It is a value, which holds a handle to the mesh.
+struct MeshInMotion {
+  Mesh mesh;           ///< a handle
+  RigidMotion motion;  ///< where the mesh is from t = 0 to 1
+
+  bool operator==(const MeshInMotion&) const = default;
+};
+
 /// Returns when the surfaces of two meshes in rigid motion meet first (law 14), conservatively:
 /// what is called free is free for every real t, in real arithmetic on the motions' numbers and for
 /// the poses RigidMotion::at() rounded and vertices placed by law 1. `low` is the least k / 2^m at
@@ -56,40 +66,46 @@ struct RigidContact {
 /// come there may be missed, which is Close. Throws InputError for a clearance or tolerance that is
 /// not a distance, and PoseError for motions that take a mesh too far away. The squares of lengths
 /// below 2^-430 m underflow: what is so near is Close, or the budget ends.
-RigidContact first_contact(const Mesh& mesh_a, const RigidMotion& motion_a, const Mesh& mesh_b,
-                           const RigidMotion& motion_b, const RigidContactSettings& settings = {},
-                           Work* work = nullptr);
+RigidContact first_contact(const MeshInMotion& mesh_a, const MeshInMotion& mesh_b,
+                           const RigidContactSettings& settings = {}, Work* work = nullptr);
 
 /// True if first_contact() says Free. It stops at the first pair of triangles that comes too near.
-bool is_free(const Mesh& mesh_a, const RigidMotion& motion_a, const Mesh& mesh_b,
-             const RigidMotion& motion_b, const RigidContactSettings& settings = {},
-             Work* work = nullptr);
+bool is_free(const MeshInMotion& mesh_a, const MeshInMotion& mesh_b,
+             const RigidContactSettings& settings = {}, Work* work = nullptr);
 
 /// Returns the last time of the same grid up to which all is free, with the tolerance: 1 if that is
 /// so to the end, nothing if the meshes are too near at the start.
-std::optional<double> last_free(const Mesh& mesh_a, const RigidMotion& motion_a, const Mesh& mesh_b,
-                                const RigidMotion& motion_b,
+std::optional<double> last_free(const MeshInMotion& mesh_a, const MeshInMotion& mesh_b,
                                 const RigidContactSettings& settings = {}, Work* work = nullptr);
+
+/// A mesh in each of many motions, as the second argument of queries: `is_free({robot, rest},
+/// {part, motions})`. It refers to the motions, which must outlive it.
+struct MeshInMotions {
+  /// Refers to the motions.
+  MeshInMotions(Mesh of_mesh, std::span<const RigidMotion> in_motions)
+      : mesh(std::move(of_mesh)), motions(in_motions) {}
+
+  Mesh mesh;                             ///< a handle
+  std::span<const RigidMotion> motions;  ///< must outlive this
+};
 
 /// These answer first_contact() and is_free() for each of many motions of B, edges of a roadmap
 /// say, in their order, on all threads. What has to be built is built once. They throw as the
 /// single queries do, before the first answer where a motion is to blame, which the error names by
 /// its index.
-std::vector<RigidContact> first_contact(const Mesh& mesh_a, const RigidMotion& motion_a,
-                                        const Mesh& mesh_b, std::span<const RigidMotion> motions_b,
+std::vector<RigidContact> first_contact(const MeshInMotion& mesh_a, const MeshInMotions& mesh_b,
                                         const RigidContactSettings& settings = {},
                                         const BatchSettings& batch = {}, Work* work = nullptr);
-std::vector<bool> is_free(const Mesh& mesh_a, const RigidMotion& motion_a, const Mesh& mesh_b,
-                          std::span<const RigidMotion> motions_b,
+std::vector<bool> is_free(const MeshInMotion& mesh_a, const MeshInMotions& mesh_b,
                           const RigidContactSettings& settings = {},
                           const BatchSettings& batch = {}, Work* work = nullptr);
 
 /// Two meshes in rigid motion, as one of many pairs.
 struct RigidPair {
-  Mesh mesh_a;           ///< a handle
-  RigidMotion motion_a;  ///< the motion of A
-  Mesh mesh_b;           ///< a handle, perhaps to the same mesh
-  RigidMotion motion_b;  ///< the motion of B
+  MeshInMotion a;  ///< mesh A
+  MeshInMotion b;  ///< mesh B, perhaps the same mesh
+
+  bool operator==(const RigidPair&) const = default;
 };
 
 /// These answer first_contact() and is_free() for each of many pairs, in their order, on all

@@ -3,6 +3,10 @@
 #include <graze/bvh/pose.h>
 #include <graze/engine/world/shape.h>
 
+#include <optional>
+#include <type_traits>
+#include <utility>
+
 namespace graze {
 
 /// A shape in a pose. It is a value, as a Shape is.
@@ -17,19 +21,58 @@ struct PlacedShape {
 };
 
 /// The argument of queries: a shape in a pose, made of a PlacedShape or within the call itself, as
-/// in `distance({Box{{1, 1, 1}}}, {hull, pose})`. It refers to both, which must outlive it, as
-/// everything does that is written within a call; code that keeps a placed shape keeps a
-/// PlacedShape.
+/// in `distance({Box{{1, 1, 1}}}, {hull, pose})`. It refers to shapes and poses that have names,
+/// which must outlive it, and holds those that have none, so that it may be kept. Code that keeps a
+/// placed shape keeps a PlacedShape.
 struct PlacedShapeView {
   // NOLINTBEGIN(google-explicit-constructor): queries are asked about shapes and placed shapes
-  /// Refers to a shape in its own frame, to a shape in a pose, or to a PlacedShape.
+  /// Takes a shape in its own frame, a shape in a pose, or a PlacedShape.
   PlacedShapeView(const Shape& of_shape);
+  PlacedShapeView(Shape&& of_shape);
   PlacedShapeView(const Shape& of_shape, const Pose& in_pose) : shape(of_shape), pose(in_pose) {}
+  PlacedShapeView(const Shape& of_shape, Pose&& in_pose)
+      : held_pose_(in_pose), shape(of_shape), pose(*held_pose_) {}
+  PlacedShapeView(Shape&& of_shape, const Pose& in_pose)
+      : held_shape_(std::move(of_shape)), shape(*held_shape_), pose(in_pose) {}
+  PlacedShapeView(Shape&& of_shape, Pose&& in_pose)
+      : held_shape_(std::move(of_shape)),
+        held_pose_(in_pose),
+        shape(*held_shape_),
+        pose(*held_pose_) {}
   PlacedShapeView(const PlacedShape& placed) : shape(placed.shape), pose(placed.pose) {}
+  PlacedShapeView(PlacedShape&& placed)
+      : PlacedShapeView(std::move(placed.shape), std::move(placed.pose)) {}
+
+  /// Makes the shape where it is held, so that it is not moved there.
+  template <typename Kind>
+  requires(!std::is_same_v<Kind, Shape> && std::is_convertible_v<const Kind&, Shape>)
+      PlacedShapeView(const Kind& of_kind, const Pose& in_pose)
+      : held_shape_(std::in_place, of_kind), shape(*held_shape_), pose(in_pose) {}
+  template <typename Kind>
+  requires(!std::is_same_v<Kind, Shape> && std::is_convertible_v<const Kind&, Shape>)
+      PlacedShapeView(const Kind& of_kind, Pose&& in_pose)
+      : held_shape_(std::in_place, of_kind),
+        held_pose_(in_pose),
+        shape(*held_shape_),
+        pose(*held_pose_) {}
   // NOLINTEND(google-explicit-constructor)
 
-  const Shape& shape;  ///< must outlive this
-  const Pose& pose;    ///< must outlive this
+  /// Holds what `other` holds, and refers to what it refers to.
+  PlacedShapeView(const PlacedShapeView& other)
+      : held_shape_(other.held_shape_),
+        held_pose_(other.held_pose_),
+        shape(held_shape_ ? *held_shape_ : other.shape),
+        pose(held_pose_ ? *held_pose_ : other.pose) {}
+  PlacedShapeView& operator=(const PlacedShapeView&) = delete;
+  ~PlacedShapeView() = default;
+
+ private:
+  std::optional<Shape> held_shape_;
+  std::optional<Pose> held_pose_;
+
+ public:
+  const Shape& shape;  ///< must outlive this, if it has a name
+  const Pose& pose;    ///< must outlive this, if it has a name
 };
 
 }  // namespace graze

@@ -5,6 +5,15 @@
 
 namespace graze {
 
+/// A shape in rigid motion, as the argument of queries: `first_contact({Box{{1, 1, 1}}, rest},
+/// {hull, path})`. It is a value, as a Shape is.
+struct ShapeInMotion {
+  Shape shape;         ///< a handle, where it is a hull or a mesh
+  RigidMotion motion;  ///< where the shape is from t = 0 to 1
+
+  bool operator==(const ShapeInMotion&) const = default;
+};
+
 /// Returns when two shapes in rigid motion meet first (law 14). Either may be a mesh; two meshes
 /// are answered by first_contact() of meshes. The search for `low` goes on as long as the lower
 /// bound of the distance lasts at the greatest speed of any point, in steps of a grid in each of
@@ -13,14 +22,15 @@ namespace graze {
 /// `high` is a time at which intersects() says yes, or the distance is within the clearance. The
 /// tolerance is at least 2^-28 of all lengths that shapes and motions are made of. The budget
 /// counts calls of distance(). Throws as first_contact() of meshes does, and UnsupportedPairError
-/// for two half-spaces of which one turns.
-RigidContact first_contact(const Shape& shape_a, const RigidMotion& motion_a, const Shape& shape_b,
-                           const RigidMotion& motion_b, const RigidContactSettings& settings = {},
-                           Work* work = nullptr);
+/// for two half-spaces of which one turns. The functions are templates for the reason given in
+/// shape_pairs.h.
+template <typename = void>
+RigidContact first_contact(const ShapeInMotion& shape_a, const ShapeInMotion& shape_b,
+                           const RigidContactSettings& settings = {}, Work* work = nullptr);
 
 /// True if first_contact() returns Free.
-bool is_free(const Shape& shape_a, const RigidMotion& motion_a, const Shape& shape_b,
-             const RigidMotion& motion_b, const RigidContactSettings& settings = {},
-             Work* work = nullptr);
+template <typename = void>
+bool is_free(const ShapeInMotion& shape_a, const ShapeInMotion& shape_b,
+             const RigidContactSettings& settings = {}, Work* work = nullptr);
 
 }  // namespace graze

@@ -6,6 +6,7 @@
 #include <graze/engine/work.h>
 #include <graze/engine/world/body.h>
 #include <graze/engine/world/placed_shape.h>
+#include <graze/engine/world/shape_motion.h>
 #include <graze/engine/world/shape_pairs.h>
 #include <graze/engine/world/world_pairs.h>
 #include <graze/engine/world/world_update.h>
@@ -339,13 +340,12 @@ class World {
   /// be met earlier. A long motion with turns is better split into several, because a box around
   /// all places of a motion that turns is compared. Where a budget ends, `low` is no earlier than
   /// the time at which boxes meet.
-  std::optional<BodyCast> cast(const Shape& shape, const RigidMotion& motion,
-                               const RigidContactSettings& contact = {},
+  std::optional<BodyCast> cast(const ShapeInMotion& shape, const RigidContactSettings& contact = {},
                                const BodyQuerySettings& settings = {}) const;
 
   /// Returns all bodies that a shape in rigid motion comes to, ordered by `low`, then by id. Throws
   /// as cast() does.
-  std::vector<BodyCast> cast_all(const Shape& shape, const RigidMotion& motion,
+  std::vector<BodyCast> cast_all(const ShapeInMotion& shape,
                                  const RigidContactSettings& contact = {},
                                  const BodyQuerySettings& settings = {}) const;
 

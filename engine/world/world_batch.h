@@ -10,30 +10,31 @@
 
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace graze {
 
 /// A shape in each of many poses, as the second argument of questions to a world:
-/// `find_touching(world, {gripper, poses})`. It refers to both, which must outlive it.
+/// `find_touching(world, {gripper, poses})`. It refers to the poses, which must outlive it.
 struct ShapeInPoses {
-  /// Refers to the shape and the poses.
-  ShapeInPoses(const Shape& of_shape, std::span<const Pose> in_poses)
-      : shape(of_shape), poses(in_poses) {}
+  /// Refers to the poses.
+  ShapeInPoses(Shape of_shape, std::span<const Pose> in_poses)
+      : shape(std::move(of_shape)), poses(in_poses) {}
 
-  const Shape& shape;           ///< must outlive this
+  Shape shape;                  ///< a handle, where it is a hull or a mesh
   std::span<const Pose> poses;  ///< must outlive this
 };
 
 /// A shape in each of many motions, as the second argument of questions to a world: `cast(world,
 /// {gripper, motions})`. A straight motion is `RigidMotion(pose, {.shift = displacement})`. It
-/// refers to the shape and the motions, which must outlive it.
+/// refers to the motions, which must outlive it.
 struct ShapeInMotions {
-  /// Refers to the shape and the motions.
-  ShapeInMotions(const Shape& of_shape, std::span<const RigidMotion> in_motions)
-      : shape(of_shape), motions(in_motions) {}
+  /// Refers to the motions.
+  ShapeInMotions(Shape of_shape, std::span<const RigidMotion> in_motions)
+      : shape(std::move(of_shape)), motions(in_motions) {}
 
-  const Shape& shape;                    ///< must outlive this
+  Shape shape;                           ///< a handle, where it is a hull or a mesh
   std::span<const RigidMotion> motions;  ///< must outlive this
 };
 

@@ -2,6 +2,7 @@
 #include <graze/bvh/value/number_text.h>
 #include <graze/narrowphase/motion/path_checks.h>
 #include <cmath>
+#include <cstring>
 #include <string>
 
 namespace graze::narrowphase {
@@ -20,7 +21,9 @@ void check_thing(const PointPath* paths, int count, Vertices vertices, const cha
       text.append(": coordinate ").push_back("xyz"[k % 3]);
       if (vertices == Vertices::Named) text.append(" of vertex ").push_back("abc"[i]);
       text.append(k < 3 ? " at the start is not finite" : " at the end is not finite");
-      throw InputError(text);
+      if (number == kNoNumber) throw InputError(text);
+      throw InputError(text,
+                       {.element = std::string(what, std::strcspn(what, " ")), .index = number});
     }
   }
 }

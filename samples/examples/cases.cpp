@@ -69,7 +69,7 @@ void what_is_said_of_motions(const graze::Mesh& cube) {
   const graze::RigidMotion rests{at(0, 0, 0)};
   const graze::RigidMotion comes(at(4, 0, 0), {.shift = {-4, 0, 0}});
   const graze::CaseMesh a = graze::case_mesh(cube, rests), b = graze::case_mesh(cube, comes);
-  const graze::RigidContact contact = graze::first_contact(cube, rests, cube, comes);
+  const graze::RigidContact contact = graze::first_contact({cube, rests}, {cube, comes});
   const graze::Case met = graze::to_case(a, b, contact);
   expect(std::string(graze::name_of(*met.answer->status)) == "hit", "they meet on the way");
   expect(graze::motion_of(std::get<graze::CaseMesh>(*met.b)) == comes, "the motion, to the bit");
@@ -79,7 +79,7 @@ void what_is_said_of_motions(const graze::Mesh& cube) {
   const graze::CaseBody c = graze::case_body(ball, rests), d = graze::case_body(ball, comes);
   const graze::RigidContactSettings near{.clearance = 0.25};
   const graze::Case shapes =
-      graze::to_case(c, d, graze::first_contact(ball, rests, ball, comes, near), near);
+      graze::to_case(c, d, graze::first_contact({ball, rests}, {ball, comes}, near), near);
   expect(graze::contact_settings(shapes.settings).clearance == 0.25, "of shapes too");
 }
 

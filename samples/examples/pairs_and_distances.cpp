@@ -20,6 +20,8 @@ int main() {
 
   const graze::TrianglePairs pairs = graze::find_triangle_pairs({cube}, {cube, at(0.5, 0.5, 0.5)});
   expect(!pairs.empty() && pairs.completeness == graze::Completeness::Complete, "all pairs");
+  expect(graze::find_triangle_pairs({cube}, {cube, at(0.5, 0.5, 0.5)}, {.threads = 0}) == pairs,
+         "the same from all threads");
   expect(graze::find_triangle_pairs({cube}, {cube, at(0.5, 0.5, 0.5)}, {.limit = 2}).size() == 2,
          "or as many as are asked for");
 

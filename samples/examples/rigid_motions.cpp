@@ -23,24 +23,26 @@ int main() {
 
   // It passes beside a cube at rest. "Free" is proved for all times, not for samples.
   const graze::RigidMotion rest(graze::Pose::Identity());
-  expect(graze::is_free(cube, rest, cube, screw), "free, with a clearance of nothing");
-  expect(!graze::is_free(cube, rest, cube, screw, {.clearance = 0.9}), "but not with one of 0.9 m");
+  expect(graze::is_free({cube, rest}, {cube, screw}), "free, with a clearance of nothing");
+  expect(!graze::is_free({cube, rest}, {cube, screw}, {.clearance = 0.9}),
+         "but not with one of 0.9 m");
 
   // The proof as plain numbers, and a check of it that trusts nobody.
   const std::optional<graze::FreedomCertificate> proof =
-      graze::certify_free(cube, rest, cube, screw);
-  expect(proof && graze::proves_freedom(*proof, cube, rest, cube, screw), "it is a proof");
-  expect(!graze::proves_freedom(*proof, cube, rest, cube, rest), "of this motion, not of another");
+      graze::certify_free({cube, rest}, {cube, screw});
+  expect(proof && graze::proves_freedom(*proof, {cube, rest}, {cube, screw}), "it is a proof");
+  expect(!graze::proves_freedom(*proof, {cube, rest}, {cube, rest}),
+         "of this motion, not of another");
 
   // From one pose to another, the centre of the body straight: it meets the cube halfway.
   const graze::RigidMotion slide =
       graze::RigidMotion::between(examples::at(2, 0, 0), examples::at(0, 0, 0), {0.5, 0.5, 0.5});
-  const graze::RigidContact met = graze::first_contact(cube, rest, cube, slide);
+  const graze::RigidContact met = graze::first_contact({cube, rest}, {cube, slide});
   expect(met.status == graze::RigidStatus::Hit, "a contact is proved");
   expect(met.low <= 0.5 && met.high >= 0.5 && met.high - met.low < 1e-5, "never late, and near");
   expect(graze::intersects({cube, rest.at(met.high)}, {cube, slide.at(met.high)}),
          "and anybody can see it in the poses of its witness");
-  const std::optional<double> last = graze::last_free(cube, rest, cube, slide);
+  const std::optional<double> last = graze::last_free({cube, rest}, {cube, slide});
   expect(last && *last < met.low, "how far a planner may go");
 
   // The same two poses as a screw, and a body with velocities for two seconds.
@@ -51,8 +53,8 @@ int main() {
 
   // Shapes as well: a ball that falls half a metre onto a floor.
   const graze::RigidMotion falls(examples::at(0, 0, 1), {.shift = {0, 0, -1}});
-  const graze::RigidContact landed =
-      graze::first_contact(graze::HalfSpace{{0, 0, 1}}, rest, graze::Sphere{{0, 0, 0}, 0.5}, falls);
+  const graze::RigidContact landed = graze::first_contact({graze::HalfSpace{{0, 0, 1}}, rest},
+                                                          {graze::Sphere{{0, 0, 0}, 0.5}, falls});
   expect(landed.status == graze::RigidStatus::Hit && landed.low <= 0.5, "halfway, never late");
 
   // What goes straight needs no motion: never late, and exact for meshes, balls and boxes.
@@ -63,12 +65,13 @@ int main() {
 
   // Edges of a roadmap, on all threads.
   const std::vector<graze::RigidMotion> edges{screw, slide, turned, thrown};
-  const std::vector<bool> free = graze::is_free(cube, rest, cube, edges);
+  const std::vector<bool> free = graze::is_free({cube, rest}, {cube, edges});
   expect(free == std::vector<bool>{true, false, false, true}, "each edge as if asked alone");
-  expect(graze::first_contact(cube, rest, cube, edges)[1] == met, "likewise");
+  expect(graze::first_contact({cube, rest}, {cube, edges})[1] == met, "likewise");
 
   // Or of many bodies, each in its own motion.
-  const std::vector<graze::RigidPair> pairs{{cube, rest, cube, slide}, {cube, screw, cube, rest}};
+  const std::vector<graze::RigidPair> pairs{{{cube, rest}, {cube, slide}},
+                                            {{cube, screw}, {cube, rest}}};
   expect(graze::first_contact(pairs)[0] == met, "each pair as if asked alone");
   expect(graze::is_free(pairs) == std::vector<bool>{false, true}, "likewise");
 }

@@ -35,6 +35,9 @@ int main() {
   expect(!text_of(pairs).empty() && !text_of(pairs[0]).empty(), "lists and their elements");
   expect(text_of(graze::Sphere{{0, 0, 0}, 0.1}).find("0.1") != std::string::npos, "0.1 is 0.1");
   expect(!text_of(graze::distance({cube}, {cube, at(3, 0, 0)})).empty(), "results with all parts");
+  expect(text_of(graze::Shape(graze::Capsule{0.1, 2})) == "capsule of radius 0.1 and half length 2",
+         "shapes");
+  expect(text_of(graze::RigidStatus::Free) == "free", "and names of enumerators");
 
   graze::Work work;
   graze::intersects({cube}, {cube, at(3, 0, 0)}, &work);

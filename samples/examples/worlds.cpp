@@ -108,8 +108,8 @@ void what_is_near(graze::World& world, graze::BodyId floor, graze::BodyId ball) 
   // A ball of a millimetre, by a hundred metres in one step, at a ball and at the floor behind it.
   const graze::Shape bullet = graze::Sphere{{0, 0, 0}, 0.001};
   const graze::RigidMotion shot(at(0, 0, 50), {.shift = {0, 0, -100}});
-  expect(world.cast(bullet, shot)->id == ball, "to whom a shape in motion comes first");
-  const std::vector<graze::BodyCast> casts = world.cast_all(bullet, shot);
+  expect(world.cast({bullet, shot})->id == ball, "to whom a shape in motion comes first");
+  const std::vector<graze::BodyCast> casts = world.cast_all({bullet, shot});
   expect(casts.size() == 2 && casts[1].id == floor, "and then");
   expect(casts[0].contact.low <= casts[0].contact.high, "never late, and with a witness");
 

@@ -44,6 +44,67 @@ TEST(Api, TheReadmesManyPosesAndMotions) {
     EXPECT_FALSE(graze::intersects({bolt}, {nut, pose}, memory));
 }
 
+/// Overwrites the part of the stack in which temporaries of the caller's last call were.
+double overwritten(int depth) {
+  volatile double rubbish[64];
+  for (volatile double& number : rubbish)
+    number = -1e300;
+  return depth == 0 ? rubbish[7] : overwritten(depth - 1) + rubbish[depth];
+}
+
+graze::PlacedShapeView kept_view() {
+  return {graze::Box{{1, 2, 3}}, graze::Pose(Eigen::Translation3d(4, 5, 6))};
+}
+
+TEST(Api, ViewsOfShapesHoldWhatHasNoName) {
+  const graze::PlacedShapeView kept = kept_view();
+  const graze::PlacedShapeView copy = kept;
+  const graze::PlacedShapeView of_placed = graze::PlacedShape{kept.shape, kept.pose};
+  const graze::PlacedShapeView alone = graze::Shape(graze::Box{{1, 2, 3}});
+  EXPECT_LT(overwritten(20), 0);
+  for (const graze::PlacedShapeView* view : {&kept, &copy, &of_placed}) {
+    EXPECT_EQ(view->shape, graze::Shape(graze::Box{{1, 2, 3}}));
+    EXPECT_EQ(view->pose.translation(), Eigen::Vector3d(4, 5, 6));
+  }
+  EXPECT_EQ(alone.shape, kept.shape);
+  EXPECT_EQ(alone.pose.translation(), Eigen::Vector3d(0, 0, 0));
+  const graze::Shape named = graze::Sphere{{0, 0, 0}, 1};
+  const graze::Pose pose = graze::Pose::Identity();
+  const graze::PlacedShapeView refers{named, pose};
+  EXPECT_EQ(&refers.shape, &named);
+  EXPECT_EQ(&refers.pose, &pose);
+}
+
+// A view is made once: nothing that it refers to can be replaced by another.
+static_assert(std::is_copy_constructible_v<graze::PlacedShapeView>);
+static_assert(!std::is_assignable_v<graze::PlacedShapeView&, graze::PlacedShapeView>);
+
+// What moves goes in one braced argument, meshes and shapes alike.
+template <typename... Arguments>
+concept AreAskedForFirstContact = requires(Arguments... arguments) {
+  graze::first_contact(arguments...);
+};
+static_assert(AreAskedForFirstContact<graze::MeshInMotion, graze::MeshInMotion>);
+static_assert(AreAskedForFirstContact<graze::MeshInMotion, graze::MeshInMotions>);
+static_assert(AreAskedForFirstContact<graze::ShapeInMotion, graze::ShapeInMotion>);
+static_assert(
+    !AreAskedForFirstContact<graze::Mesh, graze::RigidMotion, graze::Mesh, graze::RigidMotion>);
+
+TEST(Api, WhatMovesIsGivenAsWhatIsPlaced) {
+  const graze::Mesh nut = graze::load_mesh(kMeshes + "nut.stl");
+  const graze::RigidMotion rest(graze::Pose::Identity());
+  const graze::RigidMotion far(graze::Pose(Eigen::Translation3d(1, 0, 0)), {.shift = {1, 0, 0}});
+  const std::vector<graze::RigidMotion> motions{far, rest};
+  EXPECT_TRUE(graze::is_free({nut, rest}, {nut, far}));
+  EXPECT_EQ(graze::is_free({nut, rest}, {nut, motions}), (std::vector<bool>{true, false}));
+  const graze::Sphere ball{{0, 0, 0}, 0.1};
+  EXPECT_TRUE(graze::is_free({ball, rest}, {nut, far}));
+  graze::World world;
+  const graze::BodyId body = world.add({nut});
+  EXPECT_EQ(world.cast({ball, rest})->id, body);
+  EXPECT_TRUE(world.cast_all({ball, far}).empty());
+}
+
 TEST(Api, TheReadmesManyBodies) {
   graze::Mesh bolt = graze::load_mesh(kMeshes + "bolt.obj");
   graze::Pose floor_pose = graze::Pose::Identity();

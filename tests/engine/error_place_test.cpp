@@ -108,6 +108,46 @@ TEST_F(ErrorPlaces, OfBodiesAndBoxes) {
             (ErrorPlace{.element = "box", .index = box.index}));
 }
 
+TEST_F(ErrorPlaces, OfMovingThingsFieldsAndVoxels) {
+  World world;
+  const BodyId swept = world.add({Sphere{{0, 0, 0}, 1}}, {.detection = Detection::Continuous});
+  world.update();
+  EXPECT_EQ(place_of<InputError>([&] { world.move(swept, RigidMotion(tests::at(9))); }),
+            (ErrorPlace{.element = "body", .index = swept.index}));
+  EXPECT_EQ(place_of<InputError>([&] { world.exclude(swept, swept); }),
+            (ErrorPlace{.element = "body", .index = swept.index}));
+  const std::vector<float> heights{0, 0, 0, 0, HUGE_VALF, 0};
+  EXPECT_EQ(place_of<InputError>([&] { HeightField(3, 2, heights); }),
+            (ErrorPlace{.element = "height", .index = 4}));
+  const VoxelGrid grid{{0, 0, 0}, 1, {2, 2, 2}};
+  VoxelMap map(grid);
+  EXPECT_EQ(place_of<InputError>([&] {
+              map.add_block({2, 0, 0}, {2, 0, 0});
+            }),
+            (ErrorPlace{.element = "voxel"}));
+  EXPECT_EQ(place_of<InputError>([&] { static_cast<void>(ContactTracker().ids(3)); }),
+            (ErrorPlace{.element = "manifold", .index = 3}));
+}
+
+TEST_F(ErrorPlaces, OfPathsInABatchAndSlabs) {
+  const PointPath rests{{0, 0, 0}, {0, 0, 0}}, bad{{0, 0, 0}, {0, std::nan(""), 0}};
+  const std::vector<PointPath> points{rests, bad};
+  const std::vector<TrianglePath> triangles(2, TrianglePath{rests, rests, rests});
+  std::vector<std::optional<FirstContact>> contacts(2);
+  EXPECT_EQ(place_of<InputError>([&] { first_contacts(points, triangles, contacts); }),
+            (ErrorPlace{.element = "point", .index = 1}));
+  const std::vector<EdgePath> edges{{rests, rests}, {rests, rests}}, bad_edges{{rests, bad}};
+  EXPECT_EQ(place_of<InputError>([&] {
+              first_contacts({edges.data(), 1}, bad_edges, {contacts.data(), 1});
+            }),
+            (ErrorPlace{.element = "edge", .index = 0}));
+  EXPECT_EQ(place_of<InputError>([&] { first_contact(bad, triangles[0]); }), ErrorPlace{});
+  KDop<18> kdop{};
+  kdop.max[7] = -1;
+  EXPECT_EQ(place_of<InputError>([&] { intersects(kdop, KDop<18>{}); }),
+            (ErrorPlace{.element = "slab", .index = 7}));
+}
+
 TEST_F(ErrorPlaces, NothingIsKnownOfTheRest) {
   EXPECT_EQ(place_of<InputError>([] { check_ray({{0, 0, 0}, {0, 0, 0}}, "ray"); }), ErrorPlace{});
 }

@@ -111,6 +111,77 @@ TEST(Values, ShapesAndMotionsAreEqualWhereAllTheirNumbersAre) {
   EXPECT_FALSE((Screw{.pitch = 1}) == (Screw{.pitch = 2}));
 }
 
+TEST(Values, ShapesAndMotionsAsText) {
+  EXPECT_EQ(text_of(Box{{1, 2, 3}}), "box of half extents (1, 2, 3)");
+  EXPECT_EQ(text_of(Capsule{1, 2}), "capsule of radius 1 and half length 2");
+  EXPECT_EQ(text_of(Cylinder{1, 2}), "cylinder of radius 1 and half height 2");
+  EXPECT_EQ(text_of(Cone{1, 2}), "cone of radius 1 and half height 2");
+  EXPECT_EQ(text_of(Ellipsoid{{0, 0, 0}, {1, 2, 3}}),
+            "ellipsoid around (0, 0, 0) of semi-axes (1, 2, 3)");
+  EXPECT_EQ(text_of(HalfSpace{{0, 0, 1}, 2}), "half-space below 2 along (0, 0, 1)");
+  EXPECT_EQ(text_of(Plane{{0, 0, 1}, 2}), "plane at 2 along (0, 0, 1)");
+  const Mesh mesh = tests::make_box({1, 1, 1});
+  EXPECT_EQ(text_of(mesh), "mesh of 8 vertices and 12 triangles");
+  EXPECT_EQ(text_of(ConvexHull(mesh.vertices())), "hull of 8 vertices");
+  EXPECT_EQ(text_of(HeightField(3, 2, std::vector<float>(6, 0.f))),
+            "height field of 3 x 2 heights");
+  EXPECT_EQ(text_of(FieldRange{1, 2, 3, 4}), "3 x 4 heights from column 1, row 2");
+  EXPECT_EQ(text_of(Shape(Sphere{{1, 2, 3}, 0.5})), "ball around (1, 2, 3) of radius 0.5");
+  const std::string pose = " in pose 1 0 0 1 0 1 0 0 0 0 1 0";
+  EXPECT_EQ(text_of(PlacedShape{Capsule{1, 2}, tests::at(1)}), text_of(Capsule{1, 2}) + pose);
+  EXPECT_EQ(text_of(PlacedMesh{mesh, tests::at(1)}), text_of(mesh) + pose);
+  const RigidMotion slide(tests::at(1), {.shift = {0, 0, 2}});
+  EXPECT_EQ(text_of(ShapeInMotion{Capsule{1, 2}, slide}),
+            text_of(Capsule{1, 2}) + " " + text_of(slide));
+  const MeshInMotion moving{mesh, slide};
+  EXPECT_EQ(text_of(moving), text_of(mesh) + " " + text_of(slide));
+  EXPECT_EQ(text_of(RigidPair{moving, moving}), text_of(moving) + " and " + text_of(moving));
+  EXPECT_EQ(text_of(RigidCourse{.shift = {1, 0, 0}, .angle = 2}),
+            "by (1, 0, 0) and 2 rad about (0, 0, 1) through (0, 0, 0)");
+  EXPECT_EQ(text_of(RigidVelocities{.linear = {1, 0, 0}, .duration = 3}),
+            "for 3 s by (1, 0, 0) m/s and (0, 0, 0) rad/s around (0, 0, 0)");
+  EXPECT_EQ(text_of(Screw{.angle = 1, .pitch = 2}),
+            "by 1 rad about (0, 0, 1) through (0, 0, 0), 2 a turn");
+  EXPECT_EQ(text_of(PointPath{{0, 0, 0}, {1, 0, 0}}), "from (0, 0, 0) to (1, 0, 0)");
+  EXPECT_EQ(text_of(MeshSides::one_sided(0.5)), "one-sided, 0.5 thick");
+  EXPECT_EQ(text_of(MeshSides::solid()), "solid");
+  EXPECT_EQ(text_of(Filter{1, 6, -2}), "categories 1, mask 6, group -2");
+  EXPECT_EQ(text_of(BoxGap{0.5, 1, true}), "gap 0.5 in y, A below");
+  EXPECT_EQ(text_of(ErrorPlace{.file = "a.obj", .line = 3}), "a.obj:3");
+  EXPECT_EQ(text_of(ErrorPlace{.element = "pose", .index = 2}), "pose 2");
+}
+
+TEST(Values, PartsOfResultsAsText) {
+  EXPECT_EQ(text_of(FaultyEdge{{1, 2}, 3, 4}), "edge 1-2 of 4 triangles from 3");
+  EXPECT_EQ(text_of(DuplicateTriangle{5, 2}), "triangle 5 as 2");
+  EXPECT_EQ(text_of(InsideOutPart{1, 2, 3}), "part of 2 triangles from 1, inside 3");
+  EXPECT_EQ(text_of(IntersectionPoint{{0, 0, 1}, Feature::Edge, Feature::Face}),
+            "point (0, 0, 1) in edge and face");
+  EXPECT_EQ(text_of(IntersectionSegment{1, 2, 3, 4}), "segment 1-2 of 4 pairs from 3");
+  EXPECT_EQ(text_of(IntersectionCurve{1, 2, true}), "closed curve of 2 segments from 1");
+  EXPECT_EQ(text_of(IntersectionPolygon{{1, 2, 3}, 3, 4, 5}), "polygon 1-2-3 of 5 pairs from 4");
+  EXPECT_EQ(text_of(IntersectionPatch{1, 2}), "patch of 2 polygons from 1");
+  EXPECT_EQ(text_of(TouchingPoint{1, 2, 3}), "touching point 1 of 3 pairs from 2");
+  EXPECT_EQ(text_of(FreedomStep{FreedomStep::Kind::Plane, 0, {0, 0, 1}}), "plane across (0, 0, 1)");
+  EXPECT_EQ(text_of(FreedomStep{FreedomStep::Kind::DivideB, 7, {0, 0, 0}}),
+            "divide B after 7 triangles");
+  EXPECT_EQ(text_of(BroadPhaseWork{}), "no work");
+  EXPECT_EQ(text_of(BroadPhaseWork{.updates = 2}), "2 updates");
+}
+
+TEST(Values, EnumeratorsAsText) {
+  EXPECT_EQ(text_of(Hit::Crossing), "crossing");
+  EXPECT_EQ(text_of(RigidStatus::Close), "close");
+  EXPECT_EQ(text_of(Sides::OneSided), "one-sided");
+  EXPECT_EQ(text_of(BodyKind::Kinematic), "kinematic");
+  EXPECT_EQ(text_of(PairMethod::Meshes), "meshes");
+  EXPECT_EQ(text_of(PairStatus::NotConverged), "not converged");
+  EXPECT_EQ(text_of(MeetingFeatures::AtStart), "at the start");
+  EXPECT_EQ(text_of(PairVolume::WideObb), "wide");
+  EXPECT_EQ(text_of(ShapeKind::ConvexHull), name_of(ShapeKind::ConvexHull));
+  EXPECT_EQ(text_of(static_cast<Role>(7)), "no enumerator: 7");
+}
+
 TEST(Values, TextIsTheSameWhateverTheStreamHasSet) {
   EXPECT_EQ(text_of(BodyId{3, 1}), "body 3.1");
   EXPECT_EQ(text_of(BodyPair{{3, 1}, {4, 0}}), "body 3.1 and body 4.0");
@@ -168,7 +239,7 @@ TEST(Values, TextOfMotionsAndWorldsIsOneLine) {
   EXPECT_EQ(text_of(passing),
             "from pose 1 0 0 4 0 1 0 0 0 0 1 0 by (1, 0, 0) and 0 rad about (0, 0, 1) through "
             "(0, 0, 0)");
-  const auto proof = certify_free(box, rest, box, passing);
+  const auto proof = certify_free({box, rest}, {box, passing});
   ASSERT_TRUE(proof);
   EXPECT_EQ(text_of(*proof), "proof of 1 steps that 12 and 12 triangles stay further apart than 0");
   EXPECT_EQ(text_of(WorldUpdate{}),

@@ -230,7 +230,7 @@ void ask_motion(const Beside& beside, const Pose& pose, const PlacedShapeView& s
   const auto ask = [&](const PlacedShapeView& of) {
     const RigidMotion motion(shape.pose,
                              {.centre = t.a, .shift = t.b, .axis = t.c, .angle = angle});
-    RigidContact contact = first_contact(of.shape, RigidMotion(pose), shape.shape, motion,
+    RigidContact contact = first_contact({of.shape, RigidMotion(pose)}, {shape.shape, motion},
                                          {.tolerance = 0x1p-12, .budget = 1 << 10});
     return contact;
   };

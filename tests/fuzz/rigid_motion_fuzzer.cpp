@@ -60,7 +60,7 @@ bool is_ordinary(const Mesh& mesh, const RigidMotion& motion) {
 
 void check(const Mesh& a, const RigidMotion& motion_a, const Mesh& b, const RigidMotion& motion_b,
            const RigidContactSettings& settings) {
-  const RigidContact found = first_contact(a, motion_a, b, motion_b, settings);
+  const RigidContact found = first_contact({a, motion_a}, {b, motion_b}, settings);
   const auto is_hit = [&](double t) {
     const PlacedMesh placed_a{a, motion_a.at(t)}, placed_b{b, motion_b.at(t)};
     return settings.clearance == 0 ? intersects(placed_a, placed_b)
@@ -76,14 +76,14 @@ void check(const Mesh& a, const RigidMotion& motion_a, const Mesh& b, const Rigi
     fail_if(found.high < found.low, "a witness in what is called free", found.high);
   }
   if (found.is_out_of_budget) return;
-  const RigidContact mirrored = first_contact(b, motion_b, a, motion_a, settings);
+  const RigidContact mirrored = first_contact({b, motion_b}, {a, motion_a}, settings);
   fail_if(!mirrored.is_out_of_budget && !(mirrored == found), "swapped, another answer", found.low);
-  const auto certificate = certify_free(a, motion_a, b, motion_b, settings);
+  const auto certificate = certify_free({a, motion_a}, {b, motion_b}, settings);
   fail_if(certificate.has_value() != (found.status == RigidStatus::Free),
           "a certificate that should not be, or none", found.low);
   if (certificate && is_ordinary(a, motion_a) && is_ordinary(b, motion_b) &&
       settings.tolerance > 0x1p-20)
-    fail_if(!proves_freedom(*certificate, a, motion_a, b, motion_b), "its own is refused", 1);
+    fail_if(!proves_freedom(*certificate, {a, motion_a}, {b, motion_b}), "its own is refused", 1);
 }
 
 }  // namespace

@@ -80,8 +80,9 @@ void step_outward(KDop<18>& kdop, std::span<const Eigen::Vector3d> points) {
 void refuse_overflow(const KDop<18>& kdop) {
   for (int i = 0; i < KDop<18>::kSlabs; ++i) {
     if (!std::isfinite(kdop.min[i]) || !std::isfinite(kdop.max[i])) {
-      throw InputError("points too far out: slab " + std::to_string(i) +
-                       " of their k-DOP overflows");
+      throw InputError(
+          "points too far out: slab " + std::to_string(i) + " of their k-DOP overflows",
+          {.element = "slab", .index = static_cast<std::size_t>(i)});
     }
   }
 }

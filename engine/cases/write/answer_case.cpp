@@ -154,15 +154,15 @@ CaseAnswer about_bodies(const Case& query, const CaseBody& a, const CaseBody& b,
 CaseAnswer about_motions(const Case& query, const CaseBody& a, const CaseBody& b, Work* work) {
   const RigidContactSettings settings = contact_settings(query.settings);
   if (query.ask == Ask::Free)
-    return says(is_free(a.shape, motion_of(a), b.shape, motion_of(b), settings, work));
-  return answer_of(first_contact(a.shape, motion_of(a), b.shape, motion_of(b), settings, work));
+    return says(is_free({a.shape, motion_of(a)}, {b.shape, motion_of(b)}, settings, work));
+  return answer_of(first_contact({a.shape, motion_of(a)}, {b.shape, motion_of(b)}, settings, work));
 }
 
 CaseAnswer about_motions(const Case& query, const CaseMesh& a, const CaseMesh& b, Work* work) {
   const RigidContactSettings settings = contact_settings(query.settings);
   if (query.ask == Ask::Free)
-    return says(is_free(a.mesh, motion_of(a), b.mesh, motion_of(b), settings, work));
-  return answer_of(first_contact(a.mesh, motion_of(a), b.mesh, motion_of(b), settings, work));
+    return says(is_free({a.mesh, motion_of(a)}, {b.mesh, motion_of(b)}, settings, work));
+  return answer_of(first_contact({a.mesh, motion_of(a)}, {b.mesh, motion_of(b)}, settings, work));
 }
 
 CaseAnswer about_two_meshes(const Case& query, const PlacedMeshView& a, const PlacedMeshView& b,

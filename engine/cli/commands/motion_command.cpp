@@ -105,7 +105,7 @@ std::string write_proof(const MotionOptions& options, const Mesh& mesh_a,
                         const RigidMotion& motion_a, const Mesh& mesh_b,
                         const RigidMotion& motion_b, Work& work) {
   const std::optional<FreedomCertificate> proof =
-      certify_free(mesh_a, motion_a, mesh_b, motion_b, options.settings, &work);
+      certify_free({mesh_a, motion_a}, {mesh_b, motion_b}, options.settings, &work);
   if (!proof) return {};
   files::write_file(
       options.certificate,
@@ -177,7 +177,7 @@ class MotionRun {
     answer.number = i;
     if (i == 0) answer.work = built_;
     answer.contact =
-        first_contact(mesh_a_, rest_, mesh_b_, motions_[i], options_.settings, &answer.work);
+        first_contact({mesh_a_, rest_}, {mesh_b_, motions_[i]}, options_.settings, &answer.work);
     if (answer.contact.status == RigidStatus::Hit)
       answer.pose_b = motions_[i].at(answer.contact.high);
     if (!options_.certificate.empty() && answer.contact.status == RigidStatus::Free)

@@ -39,7 +39,7 @@ ExitCode run_verify(const VerifyOptions& options, Output& output) {
   const Mesh mesh_a = load_mesh(path.parent_path() / file.mesh_a);
   const Mesh mesh_b = load_mesh(path.parent_path() / file.mesh_b);
   const FreedomCertificate& proof = file.certificate;
-  const bool is_proved = proves_freedom(proof, mesh_a, file.motion_a, mesh_b, file.motion_b);
+  const bool is_proved = proves_freedom(proof, {mesh_a, file.motion_a}, {mesh_b, file.motion_b});
   if (options.is_json) {
     output.write(fmt::format("{{\"proved\":{},\"clearance\":{},\"steps\":{}}}\n", is_proved,
                              proof.clearance, proof.steps.size()));

@@ -125,9 +125,11 @@ bool do_intersect(const PairJob& job, const Pose& pose_b, Work& work) {
 }
 
 void ask_for_pairs(const PairJob& job, const Pose& pose_b, int threads, PoseAnswer& answer) {
-  answer.pairs = find_triangle_pairs({job.mesh_a, job.pose_a}, {job.mesh_b, pose_b},
-                                     {.volume = job.volume, .touch = job.touch, .threads = threads},
-                                     &answer.work);
+  const PlacedMeshView a{job.mesh_a, job.pose_a}, b{job.mesh_b, pose_b};
+  answer.pairs =
+      threads == 1
+          ? find_triangle_pairs(a, b, {.volume = job.volume, .touch = job.touch}, &answer.work)
+          : find_triangle_pairs(a, b, {.touch = job.touch, .threads = threads}, &answer.work);
   answer.intersects = !answer.pairs->empty();
   if (job.interior == Interior::Solid && (!answer.intersects || job.touch == Touch::Exclude))
     answer.intersects = do_intersect(job, pose_b, answer.work);

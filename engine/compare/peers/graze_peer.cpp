@@ -57,9 +57,9 @@ class GrazeShapes : public LoadedShapes {
     const Shape &shape_a = shapes_[a.shape], &shape_b = shapes_[b.shape];
     try {
       if (question.ask == Ask::FirstContact)
-        return answer_of(first_contact(shape_a, motion_a, shape_b, motion_b, settings));
+        return answer_of(first_contact({shape_a, motion_a}, {shape_b, motion_b}, settings));
       CaseAnswer answer;
-      answer.says = is_free(shape_a, motion_a, shape_b, motion_b, settings);
+      answer.says = is_free({shape_a, motion_a}, {shape_b, motion_b}, settings);
       return answer;
     } catch (const UnsupportedPairError&) {
       return std::nullopt;

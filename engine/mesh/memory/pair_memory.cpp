@@ -175,6 +175,13 @@ HWY_NOINLINE bool is_one_inside(const PlacedMeshView& mesh_a, const PlacedMeshVi
   return is_either_inside(mesh_a, mesh_b, counted.work());
 }
 
+/// Keeps what a query found. The next pose has about as many pairs: it reserves room for a quarter
+/// more.
+void remember(const TrianglePairs& found, PairCache& cache) {
+  cache.remember(found.pairs);
+  cache.pairs_found = found.pairs.size() + found.pairs.size() / 4;
+}
+
 HWY_NOINLINE TrianglePairs find_pairs(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b,
                                       PairCache& cache, const MemoryPairSettings& settings,
                                       Work* work) {
@@ -182,7 +189,7 @@ HWY_NOINLINE TrianglePairs find_pairs(const PlacedMeshView& mesh_a, const Placed
   TrianglePairs found;
   IntersectionQuery query(mesh_a, mesh_b, cache, settings.touch, counted.work());
   if (query.are_far_apart()) return found;
-  const bool is_done = settings.threads == 1 && query.ask_front([&](TrianglePair pair) {
+  const bool is_done = query.ask_front([&](TrianglePair pair) {
     if (found.pairs.empty()) found.pairs.reserve(std::min(cache.pairs_found, settings.limit));
     found.pairs.push_back(pair);
     return found.pairs.size() > settings.limit ? bvh::Walk::Stop : bvh::Walk::Continue;
@@ -192,16 +199,23 @@ HWY_NOINLINE TrianglePairs find_pairs(const PlacedMeshView& mesh_a, const Placed
   } else {
     // With a limit, the walk decides which pairs are returned.
     Work done;
-    found = find_triangle_pairs(
-        mesh_a, mesh_b,
-        {.limit = settings.limit, .touch = settings.touch, .threads = settings.threads}, &done);
-    if (settings.threads == 1 && found.completeness == Completeness::Complete)
-      cache.intersection_front.learn_walk(done);
+    found = find_triangle_pairs(mesh_a, mesh_b, {.limit = settings.limit, .touch = settings.touch},
+                                &done);
+    if (found.completeness == Completeness::Complete) cache.intersection_front.learn_walk(done);
     counted.work() += done;
   }
-  cache.remember(found.pairs);
-  // The next pose has about as many pairs: it reserves room for a quarter more.
-  cache.pairs_found = found.pairs.size() + found.pairs.size() / 4;
+  remember(found, cache);
+  return found;
+}
+
+HWY_NOINLINE TrianglePairs find_shared_pairs(const PlacedMeshView& mesh_a,
+                                             const PlacedMeshView& mesh_b, PairCache& cache,
+                                             const SharedPairSettings& settings, Work* work) {
+  CountedWork counted(work);
+  if (IntersectionQuery(mesh_a, mesh_b, cache, settings.touch, counted.work()).are_far_apart())
+    return {};
+  TrianglePairs found = find_triangle_pairs(mesh_a, mesh_b, settings, &counted.work());
+  remember(found, cache);
   return found;
 }
 
@@ -231,11 +245,28 @@ TrianglePairs find_triangle_pairs(const PlacedMeshView& mesh_a, const PlacedMesh
                                   Work* work) {
   return bvh::in_standard_arithmetic([&]() -> TrianglePairs {
     narrowphase::check_touch(settings.touch);
-    check_threads(settings.threads);
     PairCache& cache = recall(memory, mesh_a, mesh_b);
     if (cache.are_still_apart_by(0, work)) return {};
     return find_pairs(mesh_a, mesh_b, cache, settings, work);
   });
 }
+
+template <typename>
+TrianglePairs find_triangle_pairs(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b,
+                                  PairMemory& memory, const SharedPairSettings& settings,
+                                  Work* work) {
+  return bvh::in_standard_arithmetic([&]() -> TrianglePairs {
+    narrowphase::check_touch(settings.touch);
+    check_threads(settings.threads);
+    PairCache& cache = recall(memory, mesh_a, mesh_b);
+    if (cache.are_still_apart_by(0, work)) return {};
+    if (settings.threads == 1)
+      return find_pairs(mesh_a, mesh_b, cache, {.touch = settings.touch}, work);
+    return find_shared_pairs(mesh_a, mesh_b, cache, settings, work);
+  });
+}
+
+template TrianglePairs find_triangle_pairs<void>(const PlacedMeshView&, const PlacedMeshView&,
+                                                 PairMemory&, const SharedPairSettings&, Work*);
 
 }  // namespace graze

@@ -64,10 +64,6 @@ void for_each_pair(const PlacedMeshView& a, const PlacedMeshView& b, const PairS
   for_each_binary_pair(a, b, settings.touch, work, by_volume, on_pair);
 }
 
-bool is_unlimited(const PairSettings& settings) {
-  return settings.limit == kNoLimit;
-}
-
 }  // namespace
 
 // Public functions do their work in in_standard_arithmetic(): it sees to it that the CPU rounds as
@@ -106,24 +102,35 @@ TrianglePairs find_triangle_pairs(const PlacedMeshView& mesh_a, const PlacedMesh
                                   const PairSettings& settings, Work* work) {
   return bvh::in_standard_arithmetic([&]() -> TrianglePairs {
     CountedWork counted(work);
-    check_threads(settings.threads);
     TrianglePairs found;
-    if (settings.threads != 1 && is_unlimited(settings) && settings.volume == PairVolume::WideObb) {
-      narrowphase::check_touch(settings.touch);
-      if (are_balls_apart(mesh_a, mesh_b, &counted.work())) return found;
-      const WideQuery query(mesh_a, mesh_b, counted.work());
-      if (!query.are_far_apart(counted.work())) {
-        found.pairs =
-            find_pairs_in_parallel(query, settings.touch, settings.threads, counted.work());
-      }
-      return found;
-    }
     found.completeness = collect(found.pairs, settings.limit, [&](auto&& on_pair) {
       for_each_pair(mesh_a, mesh_b, settings, counted.work(), on_pair);
     });
     return found;
   });
 }
+
+template <typename>
+TrianglePairs find_triangle_pairs(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b,
+                                  const SharedPairSettings& settings, Work* work) {
+  return bvh::in_standard_arithmetic([&]() -> TrianglePairs {
+    CountedWork counted(work);
+    check_threads(settings.threads);
+    if (settings.threads == 1)
+      return find_triangle_pairs(mesh_a, mesh_b, {.touch = settings.touch}, &counted.work());
+    narrowphase::check_touch(settings.touch);
+    TrianglePairs found;
+    if (are_balls_apart(mesh_a, mesh_b, &counted.work())) return found;
+    const WideQuery query(mesh_a, mesh_b, counted.work());
+    if (!query.are_far_apart(counted.work())) {
+      found.pairs = find_pairs_in_parallel(query, settings.touch, settings.threads, counted.work());
+    }
+    return found;
+  });
+}
+
+template TrianglePairs find_triangle_pairs<void>(const PlacedMeshView&, const PlacedMeshView&,
+                                                 const SharedPairSettings&, Work*);
 
 void find_triangle_pairs_into(std::vector<TrianglePair>& pairs, const PlacedMeshView& mesh_a,
                               const PlacedMeshView& mesh_b, Work& work) {

@@ -204,11 +204,11 @@ bool is_proved(const FreedomCertificate& certificate, const Body& a, const Body&
 
 }  // namespace
 
-bool proves_freedom(const FreedomCertificate& certificate, const Mesh& mesh_a,
-                    const RigidMotion& motion_a, const Mesh& mesh_b, const RigidMotion& motion_b) {
+bool proves_freedom(const FreedomCertificate& certificate, const MeshInMotion& mesh_a,
+                    const MeshInMotion& mesh_b) {
   return bvh::in_standard_arithmetic([&]() -> bool {
-    return is_proved(certificate, Body(mesh_a, motion_a, certificate.order_a),
-                     Body(mesh_b, motion_b, certificate.order_b));
+    return is_proved(certificate, Body(mesh_a.mesh, mesh_a.motion, certificate.order_a),
+                     Body(mesh_b.mesh, mesh_b.motion, certificate.order_b));
   });
 }
 

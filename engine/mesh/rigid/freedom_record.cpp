@@ -33,12 +33,12 @@ std::vector<std::uint32_t> FreedomRecord::order_of(const bvh::Tree& tree) {
   return order;
 }
 
-std::optional<FreedomCertificate> certify_free(const Mesh& mesh_a, const RigidMotion& motion_a,
-                                               const Mesh& mesh_b, const RigidMotion& motion_b,
+std::optional<FreedomCertificate> certify_free(const MeshInMotion& mesh_a,
+                                               const MeshInMotion& mesh_b,
                                                const RigidContactSettings& settings, Work* work) {
   return bvh::in_standard_arithmetic([&]() -> std::optional<FreedomCertificate> {
     CountedWork counted(work);
-    MotionQuery query(mesh_a, motion_a, mesh_b, motion_b, settings, counted.work());
+    MotionQuery query(mesh_a, mesh_b, settings, counted.work());
     FreedomRecord record(query.a.tree, query.b.tree);
     ContactWalk walk = query.walk(ContactWalk::End::AtAny);
     walk.record_in(record);

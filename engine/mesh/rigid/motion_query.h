@@ -19,10 +19,10 @@ struct MotionQuery {
 
   /// Throws InputError for settings that are not valid, PoseError for motions that lead too far
   /// away.
-  MotionQuery(const Mesh& mesh_a, const RigidMotion& motion_a, const Mesh& mesh_b,
-              const RigidMotion& motion_b, const RigidContactSettings& of_settings, Work& of_work)
-      : a(mesh_a, motion_a, "motion of mesh A", of_work),
-        b(mesh_b, motion_b, "motion of mesh B", of_work),
+  MotionQuery(const MeshInMotion& mesh_a, const MeshInMotion& mesh_b,
+              const RigidContactSettings& of_settings, Work& of_work)
+      : a(mesh_a.mesh, mesh_a.motion, "motion of mesh A", of_work),
+        b(mesh_b.mesh, mesh_b.motion, "motion of mesh B", of_work),
         pair(a, b, check_settings(of_settings)),
         settings(of_settings),
         work(of_work) {}

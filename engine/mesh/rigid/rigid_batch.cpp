@@ -21,17 +21,17 @@ void answer_all(const BatchSettings& batch, Work* total, std::vector<Answer>& an
 
 /// Returns one answer for each motion of B.
 template <typename Answer, typename Ask>
-std::vector<Answer> answers_of_motions(const Mesh& mesh_b, std::span<const RigidMotion> motions_b,
-                                       const BatchSettings& batch, Work* total, const Ask& ask) {
+std::vector<Answer> answers_of_motions(const MeshInMotions& mesh_b, const BatchSettings& batch,
+                                       Work* total, const Ask& ask) {
   check_threads(batch.threads);
-  for (std::size_t i = 0; i < motions_b.size(); ++i) {
+  for (std::size_t i = 0; i < mesh_b.motions.size(); ++i) {
     bvh::check_element("motion", i, " of mesh B", [&](const char* what) {
-      check_coordinates(motions_b[i], mesh_b.bounds(), what);
+      check_coordinates(mesh_b.motions[i], mesh_b.mesh.bounds(), what);
     });
   }
-  std::vector<Answer> answers(motions_b.size());
+  std::vector<Answer> answers(mesh_b.motions.size());
   answer_all(batch, total, answers,
-             [&](std::size_t i, Work& work) { return ask(motions_b[i], work); });
+             [&](std::size_t i, Work& work) { return ask(mesh_b.motions[i], work); });
   return answers;
 }
 
@@ -46,9 +46,9 @@ std::vector<Answer> answers_of_pairs(std::span<const RigidPair> pairs,
     bvh::at_element("pair", i, [&] {
       const std::string of_pair = " of pair " + std::to_string(i);
       const RigidPair& pair = pairs[i];
-      check_coordinates(pair.motion_a, pair.mesh_a.bounds(),
+      check_coordinates(pair.a.motion, pair.a.mesh.bounds(),
                         ("motion of mesh A" + of_pair).c_str());
-      check_coordinates(pair.motion_b, pair.mesh_b.bounds(),
+      check_coordinates(pair.b.motion, pair.b.mesh.bounds(),
                         ("motion of mesh B" + of_pair).c_str());
     });
   }
@@ -59,27 +59,25 @@ std::vector<Answer> answers_of_pairs(std::span<const RigidPair> pairs,
 
 }  // namespace
 
-std::vector<RigidContact> first_contact(const Mesh& mesh_a, const RigidMotion& motion_a,
-                                        const Mesh& mesh_b, std::span<const RigidMotion> motions_b,
+std::vector<RigidContact> first_contact(const MeshInMotion& mesh_a, const MeshInMotions& mesh_b,
                                         const RigidContactSettings& settings,
                                         const BatchSettings& batch, Work* work) {
   return bvh::in_standard_arithmetic([&]() -> std::vector<RigidContact> {
     return answers_of_motions<RigidContact>(
-        mesh_b, motions_b, batch, work, [&](const RigidMotion& b, Work& own) {
-          return first_contact(mesh_a, motion_a, mesh_b, b, settings, &own);
+        mesh_b, batch, work, [&](const RigidMotion& b, Work& own) {
+          return first_contact(mesh_a, {mesh_b.mesh, b}, settings, &own);
         });
   });
 }
 
-std::vector<bool> is_free(const Mesh& mesh_a, const RigidMotion& motion_a, const Mesh& mesh_b,
-                          std::span<const RigidMotion> motions_b,
+std::vector<bool> is_free(const MeshInMotion& mesh_a, const MeshInMotions& mesh_b,
                           const RigidContactSettings& settings, const BatchSettings& batch,
                           Work* work) {
   return bvh::in_standard_arithmetic([&]() -> std::vector<bool> {
     // There is a char for each answer, because many threads cannot write to the bits of one word.
-    const std::vector<char> answers = answers_of_motions<char>(
-        mesh_b, motions_b, batch, work, [&](const RigidMotion& b, Work& own) {
-          return static_cast<char>(is_free(mesh_a, motion_a, mesh_b, b, settings, &own));
+    const std::vector<char> answers =
+        answers_of_motions<char>(mesh_b, batch, work, [&](const RigidMotion& b, Work& own) {
+          return static_cast<char>(is_free(mesh_a, {mesh_b.mesh, b}, settings, &own));
         });
     return {answers.begin(), answers.end()};
   });
@@ -89,11 +87,10 @@ std::vector<RigidContact> first_contact(std::span<const RigidPair> pairs,
                                         const RigidContactSettings& settings,
                                         const BatchSettings& batch, Work* work) {
   return bvh::in_standard_arithmetic([&]() -> std::vector<RigidContact> {
-    return answers_of_pairs<RigidContact>(
-        pairs, settings, batch, work, [&](const RigidPair& pair, Work& own) {
-          return first_contact(pair.mesh_a, pair.motion_a, pair.mesh_b, pair.motion_b, settings,
-                               &own);
-        });
+    return answers_of_pairs<RigidContact>(pairs, settings, batch, work,
+                                          [&](const RigidPair& pair, Work& own) {
+                                            return first_contact(pair.a, pair.b, settings, &own);
+                                          });
   });
 }
 
@@ -102,8 +99,7 @@ std::vector<bool> is_free(std::span<const RigidPair> pairs, const RigidContactSe
   return bvh::in_standard_arithmetic([&]() -> std::vector<bool> {
     const std::vector<char> answers =
         answers_of_pairs<char>(pairs, settings, batch, work, [&](const RigidPair& pair, Work& own) {
-          return static_cast<char>(
-              is_free(pair.mesh_a, pair.motion_a, pair.mesh_b, pair.motion_b, settings, &own));
+          return static_cast<char>(is_free(pair.a, pair.b, settings, &own));
         });
     return {answers.begin(), answers.end()};
   });

@@ -19,12 +19,11 @@ bool is_hit(MotionQuery& query, std::uint64_t k) {
 
 }  // namespace
 
-RigidContact first_contact(const Mesh& mesh_a, const RigidMotion& motion_a, const Mesh& mesh_b,
-                           const RigidMotion& motion_b, const RigidContactSettings& settings,
-                           Work* work) {
+RigidContact first_contact(const MeshInMotion& mesh_a, const MeshInMotion& mesh_b,
+                           const RigidContactSettings& settings, Work* work) {
   return bvh::in_standard_arithmetic([&]() -> RigidContact {
     CountedWork counted(work);
-    MotionQuery query(mesh_a, motion_a, mesh_b, motion_b, settings, counted.work());
+    MotionQuery query(mesh_a, mesh_b, settings, counted.work());
     const TimeGrid& grid = query.pair.grid();
     ContactWalk walk = query.walk(ContactWalk::End::AtFirst);
     const std::uint64_t low = walk.run();
@@ -37,22 +36,21 @@ RigidContact first_contact(const Mesh& mesh_a, const RigidMotion& motion_a, cons
   });
 }
 
-bool is_free(const Mesh& mesh_a, const RigidMotion& motion_a, const Mesh& mesh_b,
-             const RigidMotion& motion_b, const RigidContactSettings& settings, Work* work) {
+bool is_free(const MeshInMotion& mesh_a, const MeshInMotion& mesh_b,
+             const RigidContactSettings& settings, Work* work) {
   return bvh::in_standard_arithmetic([&]() -> bool {
     CountedWork counted(work);
-    MotionQuery query(mesh_a, motion_a, mesh_b, motion_b, settings, counted.work());
+    MotionQuery query(mesh_a, mesh_b, settings, counted.work());
     ContactWalk walk = query.walk(ContactWalk::End::AtAny);
     return walk.run() == query.pair.grid().end();
   });
 }
 
-std::optional<double> last_free(const Mesh& mesh_a, const RigidMotion& motion_a, const Mesh& mesh_b,
-                                const RigidMotion& motion_b, const RigidContactSettings& settings,
-                                Work* work) {
+std::optional<double> last_free(const MeshInMotion& mesh_a, const MeshInMotion& mesh_b,
+                                const RigidContactSettings& settings, Work* work) {
   return bvh::in_standard_arithmetic([&]() -> std::optional<double> {
     CountedWork counted(work);
-    MotionQuery query(mesh_a, motion_a, mesh_b, motion_b, settings, counted.work());
+    MotionQuery query(mesh_a, mesh_b, settings, counted.work());
     const TimeGrid& grid = query.pair.grid();
     ContactWalk walk = query.walk(ContactWalk::End::AtFirst);
     const std::uint64_t low = walk.run();

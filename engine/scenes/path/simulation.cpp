@@ -6,22 +6,29 @@
 #include <cmath>
 #include <memory>
 #include <string>
+#include <utility>
 
 namespace graze {
 namespace {
 
-[[noreturn]] void refuse(const SceneBody& body, double time, const PoseError& error) {
-  throw PoseError("body \"" + body.name + "\" at " + std::to_string(time) + " s: " + error.what(),
-                  error.place());
+[[noreturn]] void refuse(const Scene& scene, std::size_t index, double time,
+                         const PoseError& error) {
+  ErrorPlace place = error.place();
+  place.element = "body";
+  place.index = index;
+  throw PoseError("body \"" + scene.bodies[index].name + "\" at " + std::to_string(time) +
+                      " s: " + error.what(),
+                  std::move(place));
 }
 
 /// Throws for a turn that is too large: a body that is swept goes the short way from pose to pose.
-void check_turn(const SceneBody& body, double step) {
+void check_turn(const SceneBody& body, std::size_t index, double step) {
   const auto* path = std::get_if<SteadyPath>(&body.path);
   if (body.detection == Detection::Discrete || path == nullptr) return;
   if (std::abs(path->rate) * step < 0.5) return;
   throw InputError("body \"" + body.name + "\" turns by half a turn or more in a step of " +
-                   std::to_string(step) + " s: it cannot be swept the long way round");
+                       std::to_string(step) + " s: it cannot be swept the long way round",
+                   {.element = "body", .index = index});
 }
 
 }  // namespace
@@ -39,8 +46,9 @@ Simulation::Simulation(const Scene& scene, const SimulationSettings& settings)
     for (const SceneShape& shape : scene.shapes)
       shapes.push_back(share(shape.shape));
     ids_.reserve(scene.bodies.size());
-    for (const SceneBody& body : scene.bodies) {
-      check_turn(body, step_);
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+      const SceneBody& body = scene.bodies[i];
+      check_turn(body, i, step_);
       const auto shape = body.parts.empty() ? shapes[body.shape] : body_shape(scene, body);
       ids_.push_back(
           world_.add({shape, pose_at(body, 0)},
@@ -74,7 +82,7 @@ void Simulation::move_bodies() {
       try {
         world_.move(ids_[i], pose);
       } catch (const PoseError& error) {
-        refuse(body, time(), error);
+        refuse(scene_, i, time(), error);
       }
     }
   });
@@ -84,11 +92,12 @@ void Simulation::move_bodies() {
 // nowhere.
 void check_paths(const Scene& scene, double end) {
   bvh::in_standard_arithmetic([&] {
-    for (const SceneBody& body : scene.bodies) {
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+      const SceneBody& body = scene.bodies[i];
       try {
         body_shape(scene, body)->bounds(pose_at(body, end));
       } catch (const PoseError& error) {
-        refuse(body, end, error);
+        refuse(scene, i, end, error);
       }
     }
   });

@@ -106,7 +106,8 @@ void View::begin_frame(const ViewFrame& frame) {
   for (const ViewFact& fact : frame.facts)
     if (!std::isfinite(fact.value))
       throw InputError("frame " + std::to_string(data_->shown.frames.size()) + ": '" + fact.name +
-                       "' is not finite");
+                           "' is not finite",
+                       {.element = "frame", .index = data_->shown.frames.size()});
   data_->shown.frames.push_back({.said = frame});
 }
 

@@ -1,4 +1,5 @@
 #include <graze/bvh/floating_point/standard_arithmetic.h>
+#include <graze/bvh/value/element_error.h>
 #include <graze/engine/view/view.h>
 #include <graze/engine/view/writing/view_state.h>
 
@@ -36,7 +37,8 @@ void View::mark_triangles(ViewBody body, std::span<const std::uint32_t> triangle
   const view::ShownBodyData& own = data_->shown.bodies[body.index];
   view::ShownFrame& frame = data_->frame();
   if (!frame.poses.contains(body.index))
-    throw InputError(data_->where() + ": '" + own.name + "' is marked, but does not stand there");
+    throw InputError(data_->where() + ": '" + own.name + "' is marked, but does not stand there",
+                     {.element = "body", .index = body.index});
   const std::size_t count = data_->shown.shapes[own.shape].surface.triangles.size();
   for (const std::uint32_t triangle : triangles)
     if (triangle >= count)
@@ -51,8 +53,8 @@ void View::mark_triangles(ViewBody body, std::span<const std::uint32_t> triangle
 
 void View::add_curve(std::span<const Eigen::Vector3d> points) {
   bvh::in_standard_arithmetic([&] {
-    for (const Eigen::Vector3d& point : points)
-      data_->check(point, "a point of a curve");
+    for (std::size_t i = 0; i < points.size(); ++i)
+      bvh::at_element("point", i, [&] { data_->check(points[i], "a point of a curve"); });
     for (std::size_t i = 0; i + 1 < points.size(); ++i)
       add_segment(points[i], points[i + 1], data_->frame().curves);
   });
@@ -117,11 +119,13 @@ void View::add_pair(ViewBody a, ViewBody b) {
     data_->check_body(body);
     if (!data_->frame().poses.contains(body.index))
       throw InputError(data_->where() + ": '" + data_->shown.bodies[body.index].name +
-                       "' is of a pair, but does not stand there");
+                           "' is of a pair, but does not stand there",
+                       {.element = "body", .index = body.index});
   }
   if (a.index == b.index)
-    throw InputError(data_->where() + ": '" + data_->shown.bodies[a.index].name +
-                     "' is no pair with itself");
+    throw InputError(
+        data_->where() + ": '" + data_->shown.bodies[a.index].name + "' is no pair with itself",
+        {.element = "body", .index = a.index});
   data_->frame().pairs.insert(std::minmax(a.index, b.index));
 }
 
@@ -131,9 +135,13 @@ void View::add_boxes(ViewBody body, std::uint32_t level, std::span<const Obb> bo
     view::ShownBodyData& own = data_->shown.bodies[body.index];
     if (level > kMostLevel)
       throw InputError("boxes of '" + own.name + "': level " + std::to_string(level) +
-                       ", not 0 to " + std::to_string(kMostLevel));
-    for (std::size_t i = 0; i < boxes.size(); ++i)
-      check_box(boxes[i], ("box " + std::to_string(i) + " of '" + own.name + "'").c_str());
+                           ", not 0 to " + std::to_string(kMostLevel),
+                       {.element = "level", .index = level});
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+      bvh::at_element("box", i, [&] {
+        check_box(boxes[i], ("box " + std::to_string(i) + " of '" + own.name + "'").c_str());
+      });
+    }
     std::vector<Obb>& kept = own.boxes[level];
     kept.insert(kept.end(), boxes.begin(), boxes.end());
   });

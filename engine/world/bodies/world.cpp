@@ -315,7 +315,7 @@ void World::set_user_data(BodyId id, std::uint64_t data) {
 void World::exclude(BodyId a, BodyId b) {
   Bodies::Body& body_a = state_->body(a, "exclude");
   Bodies::Body& body_b = state_->body(b, "exclude");
-  if (a == b) throw InputError("exclude: a body and itself");
+  if (a == b) throw InputError("exclude: a body and itself", {.element = "body", .index = a.index});
   auto& excluded = state_->all.excluded;
   if (excluded.contains(pair_key(a.index, b.index))) return;
   state_->make_room_for_changes(1);

@@ -164,10 +164,10 @@ std::vector<std::optional<BodyCast>> cast(const World& world, const ShapeInMotio
                                           const BatchSettings& batch) {
   using First = std::optional<BodyCast>;
   return bvh::in_standard_arithmetic([&]() -> std::vector<First> {
-    return ask_world_in_motions<First>(world, shape, contact, batch,
-                                       [&](const RigidMotion& motion) {
-                                         return world.cast(shape.shape, motion, contact, settings);
-                                       });
+    return ask_world_in_motions<First>(
+        world, shape, contact, batch, [&](const RigidMotion& motion) {
+          return world.cast({shape.shape, motion}, contact, settings);
+        });
   });
 }
 
@@ -179,7 +179,7 @@ std::vector<std::vector<BodyCast>> cast_all(const World& world, const ShapeInMot
   return bvh::in_standard_arithmetic([&]() -> std::vector<Casts> {
     return ask_world_in_motions<Casts>(
         world, shape, contact, batch, [&](const RigidMotion& motion) {
-          return world.cast_all(shape.shape, motion, contact, settings);
+          return world.cast_all({shape.shape, motion}, contact, settings);
         });
   });
 }

@@ -115,8 +115,9 @@ std::optional<BodyCast> World::State::cast_at(std::uint32_t index, const CastQue
   const Shape* shape = body.shape->shape();
   if (shape == nullptr) {
     throw UnsupportedPairError("cast of a " + std::string(name_of(cast.moving.shape.kind())) +
-                               " at the body with index " + std::to_string(index) +
-                               ": its shape is a user's own");
+                                   " at the body with index " + std::to_string(index) +
+                                   ": its shape is a user's own",
+                               {.element = "body", .index = index});
   }
   const RigidMotion rest(body.pose);
   Work work;
@@ -126,11 +127,11 @@ std::optional<BodyCast> World::State::cast_at(std::uint32_t index, const CastQue
   return BodyCast{all.id(index), found};
 }
 
-std::vector<BodyCast> World::cast_all(const Shape& shape, const RigidMotion& motion,
+std::vector<BodyCast> World::cast_all(const ShapeInMotion& shape,
                                       const RigidContactSettings& contact,
                                       const BodyQuerySettings& settings) const {
   return bvh::in_standard_arithmetic([&]() -> std::vector<BodyCast> {
-    const CastQuery query{{shape, motion, "cast"}, check_settings(contact), settings};
+    const CastQuery query{{shape.shape, shape.motion, "cast"}, check_settings(contact), settings};
     std::vector<BodyCast> casts;
     for (const CastCandidate& body : state_->find_cast_candidates(query)) {
       if (const auto found = state_->cast_at(body, query)) casts.push_back(*found);
@@ -140,11 +141,10 @@ std::vector<BodyCast> World::cast_all(const Shape& shape, const RigidMotion& mot
   });
 }
 
-std::optional<BodyCast> World::cast(const Shape& shape, const RigidMotion& motion,
-                                    const RigidContactSettings& contact,
+std::optional<BodyCast> World::cast(const ShapeInMotion& shape, const RigidContactSettings& contact,
                                     const BodyQuerySettings& settings) const {
   return bvh::in_standard_arithmetic([&]() -> std::optional<BodyCast> {
-    const CastQuery query{{shape, motion, "cast"}, check_settings(contact), settings};
+    const CastQuery query{{shape.shape, shape.motion, "cast"}, check_settings(contact), settings};
     std::vector<CastCandidate> bodies = state_->find_cast_candidates(query);
     // The bodies that it may come to first can make asking the others needless.
     std::stable_sort(

@@ -98,7 +98,8 @@ void World::move(BodyId id, const RigidMotion& motion) {
     const bool is_swept = body.detection == Detection::Continuous;
     if (is_swept && !are_equal(motion.start(), mover == nullptr ? body.pose : mover->before)) {
       throw InputError("move: the motion of the body with index " + std::to_string(id.index) +
-                       " does not start where the body was at the last update");
+                           " does not start where the body was at the last update",
+                       {.element = "body", .index = id.index});
     }
     state.move_prepared({&id, 1}, {&end, 1});
     if (is_swept) state.movers.find(id.index)->motion = motion;

@@ -35,8 +35,9 @@ const Shape& known_shape(const BodyShape& shape, BodyId id) {
   const Shape* known =
       ask_shape(is_users_shape(shape), [&]() -> const Shape* { return shape.shape(); });
   if (known != nullptr) return *known;
-  throw UnsupportedPairError("distance to the body with index " + std::to_string(id.index) +
-                             ": its shape is a user's own");
+  throw UnsupportedPairError(
+      "distance to the body with index " + std::to_string(id.index) + ": its shape is a user's own",
+      {.element = "body", .index = id.index});
 }
 
 /// Finds the nearest two parts, or bodies without parts, that are not farther apart than `most`,

@@ -71,8 +71,9 @@ std::optional<BodyDistance> World::State::distance_to(std::uint32_t index,
   }
   if (body.shape->shape() == nullptr) {
     throw UnsupportedPairError("distance of a " + std::string(name_of(placed.shape.kind())) +
-                               " and the body with index " + std::to_string(index) +
-                               ": its shape is a user's own");
+                                   " and the body with index " + std::to_string(index) +
+                                   ": its shape is a user's own",
+                               {.element = "body", .index = index});
   }
   return BodyDistance{all.id(index), distance(placed, {*body.shape->shape(), body.pose})};
 }
@@ -97,7 +98,8 @@ std::vector<BodyId> World::find_in_box(const Aabb& box, const BodyQuerySettings&
 std::vector<BodyId> World::find_touching(const PlacedShapeView& placed,
                                          const BodyQuerySettings& settings) const {
   return bvh::in_standard_arithmetic([&]() -> std::vector<BodyId> {
-    const auto& [shape, pose] = placed;
+    const Shape& shape = placed.shape;
+    const Pose& pose = placed.pose;
     const State& state = *state_;
     const std::shared_ptr<const BodyShape> asked = share(shape);
     std::vector<BodyId> touching;
@@ -116,7 +118,8 @@ std::vector<BodyId> World::find_touching(const PlacedShapeView& placed,
 std::vector<BodyDistance> World::find_within(const PlacedShapeView& placed, double clearance,
                                              const BodyQuerySettings& settings) const {
   return bvh::in_standard_arithmetic([&]() -> std::vector<BodyDistance> {
-    const auto& [shape, pose] = placed;
+    const Shape& shape = placed.shape;
+    const Pose& pose = placed.pose;
     if (!(clearance >= 0 && clearance <= kLargestDistance))
       throw InputError("find_within: the clearance is " + bvh::number_text(clearance) +
                        ", but must be finite and not negative");

@@ -52,7 +52,7 @@ struct BodyInMotion {
 };
 
 /// The shape of a body that meets another, or a part of it, in motion.
-struct ShapeInMotion {
+struct SweptBodyShape {
   const BodyShape& shape;
   const std::optional<RigidMotion>& motion;
   std::uint32_t part = 0;
@@ -63,7 +63,7 @@ struct ShapeInMotion {
   }
 };
 
-const Shape* known_shape(const ShapeInMotion& moving) {
+const Shape* known_shape(const SweptBodyShape& moving) {
   return moving.ask([](const BodyShape& shape) { return shape.shape(); });
 }
 
@@ -88,7 +88,7 @@ Aabb swept_box(const BodyInMotion& moving) {
   }
 }
 
-RigidContact contact_of(const ShapeInMotion& a, const ShapeInMotion& b,
+RigidContact contact_of(const SweptBodyShape& a, const SweptBodyShape& b,
                         const RigidContactSettings& settings) {
   if (!a.motion || !b.motion) return kUnknown;
   try {
@@ -104,7 +104,7 @@ RigidContact contact_of(const ShapeInMotion& a, const ShapeInMotion& b,
 
 /// Adds the first contact of a pair, if there is one, and the one after sliding.
 template <typename Add>
-void add_first_contacts(const BodyPair& pair, const ShapeInMotion& a, const ShapeInMotion& b,
+void add_first_contacts(const BodyPair& pair, const SweptBodyShape& a, const SweptBodyShape& b,
                         const WorldSettings& settings, const Add& add) {
   BodyFirstContact found{.pair = pair,
                          .contact = contact_of(a, b, settings.sweeps),

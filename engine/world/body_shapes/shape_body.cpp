@@ -200,7 +200,8 @@ class ShapeBody final : public BodyShape {
     return bvh::in_standard_arithmetic([&]() -> RigidContact {
       const Shape* shape = other.shape();
       if (shape != nullptr) {
-        return graze::first_contact(shape_, motion, *shape, other_motion, settings, &shape_work());
+        return first_contact_of_shapes(shape_, motion, *shape, other_motion, settings,
+                                       &shape_work());
       }
       return bvh::in_users_arithmetic(
           [&] { return other.first_contact(other_motion, *this, motion, settings); });

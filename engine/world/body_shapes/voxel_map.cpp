@@ -52,7 +52,8 @@ void VoxelMap::check(const Voxel& voxel, const char* what) const {
   const auto& [x, y, z] = grid_.counts;
   if (voxel.i < x && voxel.j < y && voxel.k < z) return;
   throw InputError(std::string(what) + ": voxel " + name_of(voxel) + " is not of the grid of " +
-                   std::to_string(x) + " x " + std::to_string(y) + " x " + std::to_string(z));
+                       std::to_string(x) + " x " + std::to_string(y) + " x " + std::to_string(z),
+                   {.element = "voxel"});
 }
 
 const VoxelMap::Block* VoxelMap::find(const Voxel& voxel) const {
@@ -66,7 +67,8 @@ VoxelMap::Block& VoxelMap::make(const Voxel& voxel) {
   if (found != places_.end()) return blocks_[found->second];
   if (free_.empty()) {
     if (blocks_.size() == kMostBlocks)
-      throw InputError("add: voxel " + name_of(voxel) + " needs more than 2^20 blocks of voxels");
+      throw InputError("add: voxel " + name_of(voxel) + " needs more than 2^20 blocks of voxels",
+                       {.element = "voxel"});
     blocks_.emplace_back();
     free_.push_back(static_cast<std::uint32_t>(blocks_.size() - 1));
   }
@@ -90,7 +92,8 @@ void VoxelMap::set_block(const Voxel& first, const Voxel& last, bool is_full, co
   check(first, what);
   check(last, what);
   if (last.i < first.i || last.j < first.j || last.k < first.k) {
-    throw InputError(std::string(what) + ": " + name_of(last) + " is before " + name_of(first));
+    throw InputError(std::string(what) + ": " + name_of(last) + " is before " + name_of(first),
+                     {.element = "voxel"});
   }
   for (std::uint32_t k = first.k / kBlockSide; k <= last.k / kBlockSide; ++k) {
     for (std::uint32_t j = first.j / kBlockSide; j <= last.j / kBlockSide; ++j) {

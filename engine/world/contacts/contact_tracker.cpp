@@ -354,7 +354,8 @@ std::span<const std::uint64_t> ContactTracker::ids(std::size_t index) const {
   const std::vector<std::size_t>& begins = state_->begins;
   if (index >= begins.size() - 1) {
     throw InputError("ContactTracker::ids: there is no manifold " + std::to_string(index) +
-                     "; there are " + std::to_string(begins.size() - 1));
+                         "; there are " + std::to_string(begins.size() - 1),
+                     {.element = "manifold", .index = index});
   }
   return std::span(state_->ids).subspan(begins[index], begins[index + 1] - begins[index]);
 }

@@ -6,6 +6,7 @@
 #include <atomic>
 #include <cmath>
 #include <string>
+#include <utility>
 
 namespace graze {
 namespace {
@@ -13,8 +14,8 @@ namespace {
 // Features of contacts have 30 bits for a triangle.
 constexpr std::uint64_t kMostHeights = std::uint64_t{1} << 29;
 
-[[noreturn]] void refuse(const std::string& what) {
-  throw InputError("height field: " + what);
+[[noreturn]] void refuse(const std::string& what, ErrorPlace place = {}) {
+  throw InputError("height field: " + what, std::move(place));
 }
 
 void check_spacing(double spacing, std::uint32_t count, const char* name) {
@@ -62,7 +63,8 @@ void check_heights(const HeightFieldData& data, const FieldRange& part,
                               std::to_string(part.first_column + i % part.columns) + ", row " +
                               std::to_string(part.first_row + i / part.columns);
     refuse(place + (std::isfinite(static_cast<double>(heights[i])) ? " is beyond the largest length"
-                                                                   : " is not finite"));
+                                                                   : " is not finite"),
+           {.element = "height", .index = i});
   }
 }
 

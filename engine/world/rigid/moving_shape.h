@@ -41,6 +41,12 @@ struct MovingShape {
 RigidContact contact_of_moving(const MovingShape& a, const MovingShape& b,
                                const RigidContactSettings& settings, Work& work);
 
+/// Returns the same of two shapes in motion, by settings that it checks. The thread computes in
+/// standard arithmetic.
+RigidContact first_contact_of_shapes(const Shape& shape_a, const RigidMotion& motion_a,
+                                     const Shape& shape_b, const RigidMotion& motion_b,
+                                     const RigidContactSettings& settings, Work* work);
+
 /// Returns a box that holds the shape at every t; for half-spaces and planes it reaches to the
 /// largest doubles.
 Aabb swept_bounds(const MovingShape& moving);

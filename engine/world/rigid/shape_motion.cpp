@@ -129,7 +129,7 @@ RigidContact contact_of_field(const MovingShape& a, const MovingShape& b,
                               const RigidContactSettings& settings, Work& work) {
   const StandIn by_a = moving_stand_in(a, b, settings, 0);
   const StandIn by_b = moving_stand_in(b, a, settings, 0);
-  return first_contact(by_a.shape(), a.motion, by_b.shape(), b.motion, settings, &work);
+  return first_contact_of_shapes(by_a.shape(), a.motion, by_b.shape(), b.motion, settings, &work);
 }
 
 /// Returns the earlier of the contacts with two parts, either of which may be met first.
@@ -157,7 +157,8 @@ RigidContact contact_of_plane(const MovingShape& a, const MovingShape& b,
                               const RigidContactSettings& settings, Work& work) {
   const HalfSpacePair by({a.shape, a.motion.start()}, {b.shape, b.motion.start()}, work);
   const auto ask = [&](std::size_t i) {
-    return first_contact(by.a(i).shape, a.motion, by.b(i).shape, b.motion, settings, &work);
+    return first_contact_of_shapes(by.a(i).shape, a.motion, by.b(i).shape, b.motion, settings,
+                                   &work);
   };
   RigidContact found = by.is_divided() ? earlier(ask(0), ask(1)) : ask(0);
   const auto is_near = [&](const Shape& shape_a, const Shape& shape_b, double time) {
@@ -186,30 +187,42 @@ RigidContact contact_of_moving(const MovingShape& a, const MovingShape& b,
   if (has_plane(start_a, start_b)) return contact_of_plane(a, b, settings, work);
   const Mesh *mesh_a = mesh_of(a.shape), *mesh_b = mesh_of(b.shape);
   if (mesh_a != nullptr && mesh_b != nullptr)
-    return first_contact(*mesh_a, a.motion, *mesh_b, b.motion, settings, &work);
+    return first_contact({*mesh_a, a.motion}, {*mesh_b, b.motion}, settings, &work);
   return contact_of_shapes(a, b, settings, work);
 }
 
-RigidContact first_contact(const Shape& shape_a, const RigidMotion& motion_a, const Shape& shape_b,
-                           const RigidMotion& motion_b, const RigidContactSettings& settings,
-                           Work* work) {
+RigidContact first_contact_of_shapes(const Shape& shape_a, const RigidMotion& motion_a,
+                                     const Shape& shape_b, const RigidMotion& motion_b,
+                                     const RigidContactSettings& settings, Work* work) {
   const Mesh *mesh_a = mesh_of(shape_a), *mesh_b = mesh_of(shape_b);
   if (mesh_a != nullptr && mesh_b != nullptr)
-    return first_contact(*mesh_a, motion_a, *mesh_b, motion_b, settings, work);
+    return first_contact({*mesh_a, motion_a}, {*mesh_b, motion_b}, settings, work);
+  CountedWork counted(work);
+  check_settings(settings);
+  return contact_of_moving({shape_a, motion_a, "motion of shape A"},
+                           {shape_b, motion_b, "motion of shape B"}, settings, counted.work());
+}
+
+template <typename>
+RigidContact first_contact(const ShapeInMotion& shape_a, const ShapeInMotion& shape_b,
+                           const RigidContactSettings& settings, Work* work) {
   return bvh::in_standard_arithmetic([&]() -> RigidContact {
-    CountedWork counted(work);
-    check_settings(settings);
-    return contact_of_moving({shape_a, motion_a, "motion of shape A"},
-                             {shape_b, motion_b, "motion of shape B"}, settings, counted.work());
+    return first_contact_of_shapes(shape_a.shape, shape_a.motion, shape_b.shape, shape_b.motion,
+                                   settings, work);
   });
 }
 
-bool is_free(const Shape& shape_a, const RigidMotion& motion_a, const Shape& shape_b,
-             const RigidMotion& motion_b, const RigidContactSettings& settings, Work* work) {
+template <typename>
+bool is_free(const ShapeInMotion& shape_a, const ShapeInMotion& shape_b,
+             const RigidContactSettings& settings, Work* work) {
   return bvh::in_standard_arithmetic([&]() -> bool {
-    return first_contact(shape_a, motion_a, shape_b, motion_b, settings, work).status ==
-           RigidStatus::Free;
+    return first_contact(shape_a, shape_b, settings, work).status == RigidStatus::Free;
   });
 }
+
+template RigidContact first_contact<void>(const ShapeInMotion&, const ShapeInMotion&,
+                                          const RigidContactSettings&, Work*);
+template bool is_free<void>(const ShapeInMotion&, const ShapeInMotion&, const RigidContactSettings&,
+                            Work*);
 
 }  // namespace graze

@@ -22,13 +22,14 @@ Height height_of(const Core& core, const PlacedHalfSpace& plane) {
   return {dot(plane.normal, lowest) - plane.offset, 0x40p-53 * size + plane.slack, lowest};
 }
 
-struct Situation {
+/// Where the lowest point of a shape is above the plane of a half-space, around an origin.
+struct HeightAbovePlane {
   Eigen::Vector3d origin;
   PlacedHalfSpace plane;
   Height height;
 };
 
-Situation beside_plane(const PlacedShapeView& a, const PlacedShapeView& b) {
+HeightAbovePlane beside_plane(const PlacedShapeView& a, const PlacedShapeView& b) {
   const Eigen::Vector3d origin = middle_of(a.shape, a.pose);
   const Core core = core_of(a.shape, a.pose, origin);
   const PlacedHalfSpace plane = placed_half_space(*b.shape.as<HalfSpace>(), b.pose, origin);
@@ -49,14 +50,8 @@ bool are_opposite(const Vec3& a, const Vec3& b) {
   return a.x == -b.x && a.y == -b.y && a.z == -b.z;
 }
 
-struct MeshSituation {
-  Eigen::Vector3d origin;
-  PlacedHalfSpace plane;
-  Height height;
-};
-
-MeshSituation mesh_beside_plane(const PlacedShapeView& a, const PlacedShapeView& b, double enough,
-                                Work& work) {
+HeightAbovePlane mesh_beside_plane(const PlacedShapeView& a, const PlacedShapeView& b,
+                                   double enough, Work& work) {
   const Mesh& mesh = *b.shape.as<Mesh>();
   const double* m = b.pose.data();
   const Eigen::Vector3d origin(m[12], m[13], m[14]);
@@ -73,7 +68,7 @@ bool intersect_plane(const PlacedShapeView& a, const PlacedShapeView& b) {
 }
 
 ShapeDistance distance_to_plane(const PlacedShapeView& a, const PlacedShapeView& b) {
-  const Situation s = beside_plane(a, b);
+  const HeightAbovePlane s = beside_plane(a, b);
   return distance_above(s.height, s.plane, s.origin);
 }
 
@@ -121,7 +116,7 @@ bool intersect_mesh_plane(const PlacedShapeView& a, const PlacedShapeView& b, Wo
 ShapeDistance distance_of_mesh_plane(const PlacedShapeView& a, const PlacedShapeView& b,
                                      Work& work) {
   const double never = -std::numeric_limits<double>::infinity();
-  const MeshSituation s = mesh_beside_plane(a, b, never, work);
+  const HeightAbovePlane s = mesh_beside_plane(a, b, never, work);
   return mirrored(distance_above(s.height, s.plane, s.origin));
 }
 

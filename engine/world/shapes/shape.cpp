@@ -145,4 +145,7 @@ const Pose& identity() {
 
 PlacedShapeView::PlacedShapeView(const Shape& of_shape) : shape(of_shape), pose(identity()) {}
 
+PlacedShapeView::PlacedShapeView(Shape&& of_shape)
+    : held_shape_(std::move(of_shape)), shape(*held_shape_), pose(identity()) {}
+
 }  // namespace graze

@@ -139,7 +139,8 @@ double check_pose(const Pose& pose, const char* what) {
 
 Aabb bounding_aabb(const PlacedShapeView& placed) {
   return bvh::in_standard_arithmetic([&]() -> Aabb {
-    const auto& [shape, pose] = placed;
+    const Shape& shape = placed.shape;
+    const Pose& pose = placed.pose;
     const double deviation = check_pose(pose, "pose");
     if (const auto* half_space = shape.as<HalfSpace>())
       return bounds_of_half_space(*half_space, pose);

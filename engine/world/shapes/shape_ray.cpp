@@ -47,7 +47,8 @@ template <typename>
 std::optional<RayHit> cast_ray(const PlacedShapeView& placed, const Ray& ray, Work* work) {
   return bvh::in_standard_arithmetic([&]() -> std::optional<RayHit> {
     check_ray(ray, "ray");
-    const auto& [shape, pose] = placed;
+    const Shape& shape = placed.shape;
+    const Pose& pose = placed.pose;
     check_pose(pose, "pose");
     if (const auto* mesh = shape.as<Mesh>())
       return cast_ray(PlacedMeshView{*mesh, pose}, ray, work);

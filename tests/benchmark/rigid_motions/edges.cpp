@@ -55,7 +55,7 @@ void measure(const Scene& scene, const RigidMotion& motion, double tolerance, Ed
   const RigidMotion rest(Pose::Identity());
   RigidContact found{};
   const double taken = time_of([&] {
-    found = first_contact(scene.mesh_a, rest, scene.mesh_b, motion, {.tolerance = tolerance});
+    found = first_contact({scene.mesh_a, rest}, {scene.mesh_b, motion}, {.tolerance = tolerance});
   });
   result.wrong += hits_before(scene, motion, found.low) > 0;
   if (found.status == RigidStatus::Free) {

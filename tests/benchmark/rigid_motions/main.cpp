@@ -62,7 +62,7 @@ Json free_motion(const char* name, const Mesh& a, const RigidMotion& motion_a, c
   std::vector<double> times;
   for (int i = 0; i < 3; ++i) {
     const ThreadClock clock;
-    wrong += !is_free(a, motion_a, b, motion_b);
+    wrong += !is_free({a, motion_a}, {b, motion_b});
     times.push_back(clock.nanoseconds() / 1e6);
   }
   std::printf("%-28s %10.1f ms\n", name, median(times));

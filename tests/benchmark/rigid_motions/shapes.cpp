@@ -107,7 +107,7 @@ nlohmann::ordered_json measure_shape_motions(int motions, std::size_t& wrong) {
         const RigidMotion a = RigidMotion::between(ends_a.start, ends_a.end);
         const RigidMotion b = RigidMotion::between(ends_b.start, ends_b.end);
         RigidContact found{};
-        const double ours = time_of([&] { found = first_contact(shape_a, a, shape_b, b); });
+        const double ours = time_of([&] { found = first_contact({shape_a, a}, {shape_b, b}); });
         wrong += refuted(shape_a, a, shape_b, b, found);
         (found.status == RigidStatus::Free ? free : hit).push_back(ours);
         for (PeerScore& peer : scores)

@@ -135,12 +135,14 @@ class Graze {
       case Question::Casts:
         break;
     }
-    return use(Ways<std::optional<BodyCast>>{
-                   [&](std::size_t i) { return world_.cast(all_.probe, all_.motions[i]); },
-                   [&](const BatchSettings& b) {
-                     return cast(world_, {all_.probe, all_.motions}, {}, {}, b);
-                   }},
-               casts_);
+    return use(
+        Ways<std::optional<BodyCast>>{[&](std::size_t i) {
+                                        return world_.cast({all_.probe, all_.motions[i]});
+                                      },
+                                      [&](const BatchSettings& b) {
+                                        return cast(world_, {all_.probe, all_.motions}, {}, {}, b);
+                                      }},
+        casts_);
   }
 
   const Questions& all_;

@@ -154,7 +154,7 @@ TEST_F(MotionVerdicts, OfTurns) {
   const RigidMotion turns(Pose(Eigen::Translation3d(2.25, 0, 0)),
                           {.centre = {2.25, 0, 0}, .axis = {0, 0, 1}, .angle = 0.5});
   Case query = to_case(case_mesh(cube_, rests_), case_mesh(cube_, turns),
-                       first_contact(cube_, rests_, cube_, turns));
+                       first_contact({cube_, rests_}, {cube_, turns}));
   ASSERT_EQ(*query.answer->status, RigidStatus::Hit);
   EXPECT_EQ(judged(query, *query.answer, "graze").verdict, Verdict::Right);
   EXPECT_EQ(judged(query, kFree).verdict, Verdict::Wrong);
@@ -165,7 +165,7 @@ TEST_F(MotionVerdicts, OfBodies) {
   const Shape ball(Sphere{{0, 0, 0}, 1}), whole(cube_);
   const RigidMotion comes(Pose(Eigen::Translation3d(3, 0, 0)), {.shift = {-2, 0, 0}});
   const Case balls = to_case(case_body(ball, rests_), case_body(ball, comes),
-                             first_contact(ball, rests_, ball, comes));
+                             first_contact({ball, rests_}, {ball, comes}));
   expect_wrong(judged(balls, kFree), "missed", 1);
   EXPECT_EQ(judged(balls, hit_at(0.75)).verdict, Verdict::Wrong);
   EXPECT_EQ(judged(balls, *balls.answer, "graze").verdict, Verdict::Right);
@@ -174,12 +174,12 @@ TEST_F(MotionVerdicts, OfBodies) {
   const RigidMotion turns(Pose(Eigen::Translation3d(0, 0, 2.5)),
                           {.centre = {0, 0, 2.5}, .axis = {1, 0, 0}, .angle = 3});
   const Case free = to_case(case_body(ball, rests_), case_body(cone, turns),
-                            first_contact(ball, rests_, cone, turns));
+                            first_contact({ball, rests_}, {cone, turns}));
   ASSERT_EQ(*free.answer->status, RigidStatus::Free);
   EXPECT_EQ(judged(free, kFree).verdict, Verdict::Right);
   EXPECT_EQ(judged(free, hit_at(0.5)).verdict, Verdict::Wrong);
   const Case meshes = to_case(case_body(whole, rests_), case_body(whole, comes),
-                              first_contact(whole, rests_, whole, comes));
+                              first_contact({whole, rests_}, {whole, comes}));
   EXPECT_EQ(judged(meshes, *meshes.answer, "graze").verdict, Verdict::Right);
   expect_wrong(judged(meshes, hit_at(0.75)), "late", 0.5);
 }

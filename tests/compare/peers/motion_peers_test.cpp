@@ -90,7 +90,7 @@ TEST_F(MotionPeers, FclKnowsShapesToo) {
   const RigidMotion rests{Pose::Identity()};
   const RigidMotion comes(Pose(Eigen::Translation3d(-3.5, 0, 0)), {.shift = {2, 0, 0}});
   Case query = to_case(case_body(box, rests), case_body(ball, comes),
-                       first_contact(box, rests, ball, comes));
+                       first_contact({box, rests}, {ball, comes}));
   query.answer.reset();
   const std::optional<CaseAnswer> sampled = ask(*engine("fcl"), query);
   ASSERT_TRUE(sampled);

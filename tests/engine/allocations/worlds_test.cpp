@@ -227,7 +227,7 @@ class TwinWorlds {
     for (const BodyDistance& near : world.find_within({Sphere{{0, 0, 0}, 1}, at(1, 0.5)}, 0.2))
       digest << near.id.index << near.distance.distance;
     const RigidMotion across = RigidMotion::between(at(0, 0.125, 0.25), at(1, 0.5, 0.25));
-    for (const BodyCast& met : world.cast_all(Sphere{{0, 0, 0}, 0.125}, across))
+    for (const BodyCast& met : world.cast_all({Sphere{{0, 0, 0}, 0.125}, across}))
       digest << met.id.index << met.contact.low;
     for (const std::vector<BodyId>& island : world.islands()) {
       for (const BodyId id : island)

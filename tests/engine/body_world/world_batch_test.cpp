@@ -105,8 +105,8 @@ TEST_F(WorldBatch, MotionsAreTheSingleOnes) {
     std::vector<std::vector<BodyCast>> all;
     std::size_t hits = 0, most = 0;
     for (const RigidMotion& motion : motions_) {
-      first.push_back(world_.cast(shape, motion, contact, solid));
-      all.push_back(world_.cast_all(shape, motion, contact, solid));
+      first.push_back(world_.cast({shape, motion}, contact, solid));
+      all.push_back(world_.cast_all({shape, motion}, contact, solid));
       hits += first.back().has_value();
       most = std::max(most, all.back().size());
     }

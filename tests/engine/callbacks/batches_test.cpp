@@ -91,9 +91,9 @@ std::vector<Kind> kinds() {
                    for (const Pose& pose : steps(count))
                      motions.push_back(RigidMotion::between(at(0, 0, 3), pose));
                    const RigidMotion rest{Pose::Identity()};
-                   const std::vector<bool> free = is_free(a, rest, b, motions, {}, batch);
+                   const std::vector<bool> free = is_free({a, rest}, {b, motions}, {}, batch);
                    for (std::size_t i = 0; i < count; i += 7)
-                     EXPECT_EQ(free[i], is_free(a, rest, b, motions[i]));
+                     EXPECT_EQ(free[i], is_free({a, rest}, {b, motions[i]}));
                  }});
   return all;
 }

@@ -143,15 +143,15 @@ class Cases : public testing::Test {
     for (const RigidMotion& motion : {comes, passes}) {
       const CaseMesh ring = case_mesh(torus_, rests), ball = case_mesh(sphere_, motion);
       const RigidContactSettings wide{.clearance = 0.125, .tolerance = 0.01};
-      queries.push_back(to_case(ring, ball, first_contact(torus_, rests, sphere_, motion)));
+      queries.push_back(to_case(ring, ball, first_contact({torus_, rests}, {sphere_, motion})));
       queries.push_back(
-          to_case(ring, ball, first_contact(torus_, rests, sphere_, motion, wide), wide));
+          to_case(ring, ball, first_contact({torus_, rests}, {sphere_, motion}, wide), wide));
       queries.push_back(
-          to_case_free(ball, ring, is_free(sphere_, motion, torus_, rests, wide), wide));
+          to_case_free(ball, ring, is_free({sphere_, motion}, {torus_, rests}, wide), wide));
       const Shape cone(Cone{0.3, 0.5}), whole(torus_);
       const CaseBody a = case_body(whole, rests), b = case_body(cone, motion);
-      queries.push_back(to_case(a, b, first_contact(whole, rests, cone, motion)));
-      queries.push_back(to_case_free(b, a, is_free(cone, motion, whole, rests)));
+      queries.push_back(to_case(a, b, first_contact({whole, rests}, {cone, motion})));
+      queries.push_back(to_case_free(b, a, is_free({cone, motion}, {whole, rests})));
     }
     return queries;
   }

@@ -18,7 +18,7 @@ class MotionCase : public testing::Test {
   /// Two cubes of two metres, the second of which comes along x from three metres away.
   Case comes() const {
     return to_case(case_mesh(cube_, rests_), case_mesh(cube_, comes_),
-                   first_contact(cube_, rests_, cube_, comes_));
+                   first_contact({cube_, rests_}, {cube_, comes_}));
   }
 
   Mesh cube_ = tests::make_box({1, 1, 1});
@@ -66,13 +66,13 @@ TEST_F(MotionCase, OneBitMoreIsAnotherAnswer) {
 TEST_F(MotionCase, WhatHangsOnABudgetIsNoCase) {
   const CaseMesh a = case_mesh(cube_, rests_), b = case_mesh(cube_, comes_);
   const RigidContactSettings none{.budget = 0}, more{.budget = std::uint64_t{1} << 30};
-  const RigidContact ended = first_contact(cube_, rests_, cube_, comes_, none);
+  const RigidContact ended = first_contact({cube_, rests_}, {cube_, comes_}, none);
   ASSERT_TRUE(ended.is_out_of_budget);
   EXPECT_THROW(to_case(a, b, ended, none), InputError);
-  EXPECT_THROW(to_case(a, b, first_contact(cube_, rests_, cube_, comes_), more), InputError);
+  EXPECT_THROW(to_case(a, b, first_contact({cube_, rests_}, {cube_, comes_}), more), InputError);
   EXPECT_THROW(to_case_free(a, b, false, none), InputError);
   const RigidContactSettings enough{.budget = 100000};
-  EXPECT_NO_THROW(to_case(a, b, first_contact(cube_, rests_, cube_, comes_, enough), enough));
+  EXPECT_NO_THROW(to_case(a, b, first_contact({cube_, rests_}, {cube_, comes_}, enough), enough));
 }
 
 constexpr const char* kBall = R"({"body": {"sphere": {"radius": 1}})";

@@ -81,7 +81,7 @@ TEST(CliExplainReasons, OfMotionsTheFirstContactIsNamed) {
   const RigidMotion rests{Pose::Identity()};
   const RigidMotion comes(Pose(Eigen::Translation3d(3, 0, 0)), {.shift = {-2, 0, 0}});
   Case query = to_case(case_mesh(cube, rests), case_mesh(cube, comes),
-                       first_contact(cube, rests, cube, comes));
+                       first_contact({cube, rests}, {cube, comes}));
   query.answer->low = query.answer->high = 0.75;
   query.answered_by = {"somebody", "1"};
   std::string text = reasons_in(explain_case(query));

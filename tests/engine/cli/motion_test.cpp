@@ -43,7 +43,8 @@ TEST_F(CliMotion, AnswersAreTheLibrarysBitForBit) {
   Pose start = Pose::Identity(), end = Pose::Identity();
   start.translation().x() = 10, end.translation().x() = -10;
   const RigidMotion rest(Pose::Identity()), through = RigidMotion::between(start, end);
-  const RigidContact contact = first_contact(mesh_a, rest, mesh_b, through, {.clearance = 0.25});
+  const RigidContact contact =
+      first_contact({mesh_a, rest}, {mesh_b, through}, {.clearance = 0.25});
   ASSERT_EQ(contact.status, RigidStatus::Hit);
   const Json answer = json({"--from", kApart, "--to", kBehind, "--clearance", "0.25"});
   EXPECT_EQ(keys_of(answer),

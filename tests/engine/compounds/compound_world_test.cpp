@@ -145,8 +145,8 @@ TEST(CompoundWorld, PartsHaveFilters) {
   EXPECT_TRUE(world.find_touching({ball, at(2)}, asked).empty());
   EXPECT_EQ(world.find_touching({ball, at(-2)}, asked), std::vector{id});
   const RigidMotion shot(at(9), {.shift = {-18, 0, 0}});
-  EXPECT_EQ(world.cast(ball, shot)->part, 0u);
-  EXPECT_EQ(world.cast(ball, shot, {}, asked)->part, 1u);
+  EXPECT_EQ(world.cast({ball, shot})->part, 0u);
+  EXPECT_EQ(world.cast({ball, shot}, {}, asked)->part, 1u);
 }
 
 /// Parts that come, go and change, in a body that lies in a heap.

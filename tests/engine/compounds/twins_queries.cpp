@@ -45,7 +45,7 @@ bool Twins::is_same(const BodyDistance& found, const ShapeDistance& wanted,
 std::map<std::uint32_t, PartContact> Twins::casts_at_parts(const Shape& shape,
                                                            const RigidMotion& motion) const {
   std::map<std::uint32_t, PartContact> first;
-  for (const BodyCast& found : parts_.cast_all(shape, motion)) {
+  for (const BodyCast& found : parts_.cast_all({shape, motion})) {
     const auto [body, part] = name(found.id);
     const auto [at, is_new] = first.try_emplace(body, found.contact, part);
     if (!is_new && found.contact.low == at->second.first.low && part < at->second.second)
@@ -113,7 +113,7 @@ std::size_t Twins::cast_ray(const Ray& ray) {
 }
 
 std::size_t Twins::cast(const Shape& shape, const RigidMotion& motion) {
-  const std::vector<BodyCast> casts = whole_.cast_all(shape, motion);
+  const std::vector<BodyCast> casts = whole_.cast_all({shape, motion});
   std::map<std::uint32_t, PartContact> first = casts_at_parts(shape, motion);
   EXPECT_EQ(casts.size(), first.size());
   for (const BodyCast& found : casts) {
@@ -132,7 +132,7 @@ std::size_t Twins::cast(const Shape& shape, const RigidMotion& motion) {
 // its time the two are no farther apart than that, and that it is not later than a witness of the
 // other's.
 std::size_t Twins::cast_far(const Shape& shape, const RigidMotion& motion) {
-  const std::vector<BodyCast> casts = whole_.cast_all(shape, motion);
+  const std::vector<BodyCast> casts = whole_.cast_all({shape, motion});
   std::map<std::uint32_t, PartContact> rest = casts_at_parts(shape, motion);
   const double farthest = motion.start().translation().norm() + motion.centre().norm() +
                           motion.shift().norm() + kLargestBody;

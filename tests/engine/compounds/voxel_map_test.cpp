@@ -117,10 +117,10 @@ std::size_t ask_both(Alike& worlds, const Shape& shape, const Pose& pose, double
     hit.part = worlds.number(hit.id, hit.part);
   EXPECT_TRUE(worlds.of_map.cast_ray_all({from, to - from}) == hits);
   const RigidMotion motion = RigidMotion::between(pose, tests::random_pose(source, 2));
-  auto casts = worlds.of_boxes.cast_all(shape, motion);
+  auto casts = worlds.of_boxes.cast_all({shape, motion});
   for (BodyCast& cast : casts)
     cast.part = worlds.number(cast.id, cast.part);
-  EXPECT_TRUE(worlds.of_map.cast_all(shape, motion) == casts);
+  EXPECT_TRUE(worlds.of_map.cast_all({shape, motion}) == casts);
   answers += near.size() + hits.size() + casts.size();
   return answers;
 }

@@ -57,19 +57,19 @@ Digest on_the_way(const Mesh& a, const Mesh& b) {
 
 Digest in_motion(const Mesh& a, const Mesh& b) {
   const RigidMotion rest(beside());
-  Digest digest = told(first_contact(a, rest, b, falling()));
-  digest << is_free(a, rest, b, falling(), {.clearance = 0.1});
-  if (const auto last = last_free(a, rest, b, falling())) digest << *last;
-  const RigidContact of_shapes = first_contact(Shape(a), rest, Capsule{0.25, 0.5}, falling());
+  Digest digest = told(first_contact({a, rest}, {b, falling()}));
+  digest << is_free({a, rest}, {b, falling()}, {.clearance = 0.1});
+  if (const auto last = last_free({a, rest}, {b, falling()})) digest << *last;
+  const RigidContact of_shapes = first_contact({Shape(a), rest}, {Capsule{0.25, 0.5}, falling()});
   return digest << of_shapes.low << of_shapes.high;
 }
 
 Digest certified(const Mesh& a, const Mesh& b) {
   const RigidMotion rest(beside()), slides(at(4), {.shift = {0, 0.5, 0.25}, .angle = 0.5});
-  const auto proof = certify_free(a, rest, b, slides);
+  const auto proof = certify_free({a, rest}, {b, slides});
   Digest digest;
   digest << proof.has_value();
-  if (proof) digest << proof->steps.size() << proves_freedom(*proof, a, rest, b, slides);
+  if (proof) digest << proof->steps.size() << proves_freedom(*proof, {a, rest}, {b, slides});
   return digest;
 }
 
@@ -77,7 +77,7 @@ Digest many_motions(const Mesh& a, const Mesh& b) {
   const RigidMotion rest(beside()), away(far_away());
   Digest digest;
   for (const RigidContact& found :
-       first_contact(a, rest, b, std::vector<RigidMotion>{falling(), away}))
+       first_contact({a, rest}, {b, std::vector<RigidMotion>{falling(), away}}))
     digest << found.low << found.high;
   const std::vector<RigidPair> pairs{
       {a, rest, b, falling()}, {b, away, a, rest}, {a, away, a, rest}};

@@ -180,16 +180,16 @@ void ask_rigid_motions(const Inputs& in, Words& words) {
   for (const RigidMotion& motion : motions) {
     for (int i = 0; i < 3; ++i)
       words.add(Eigen::Vector3d(motion.at(0.7).matrix().col(i + 1).head<3>()));
-    add_contact(words, first_contact(meshes.a, rest, meshes.b, motion, settings));
-    const auto last = last_free(meshes.a, rest, meshes.b, motion, settings);
+    add_contact(words, first_contact({meshes.a, rest}, {meshes.b, motion}, settings));
+    const auto last = last_free({meshes.a, rest}, {meshes.b, motion}, settings);
     words.add(last.value_or(-1));
-    const auto proof = certify_free(meshes.a, rest, meshes.b, motion, settings);
+    const auto proof = certify_free({meshes.a, rest}, {meshes.b, motion}, settings);
     words.add(proof.has_value());
-    if (proof) words.add(proves_freedom(*proof, meshes.a, rest, meshes.b, motion));
-    add_contact(words, first_contact(Shape(Sphere{{0, 0, 0}, 0.1}), rest, Shape(meshes.b), motion,
-                                     settings));
+    if (proof) words.add(proves_freedom(*proof, {meshes.a, rest}, {meshes.b, motion}));
+    add_contact(words, first_contact({Shape(Sphere{{0, 0, 0}, 0.1}), rest},
+                                     {Shape(meshes.b), motion}, settings));
   }
-  for (const bool is : is_free(meshes.a, rest, meshes.b, motions, settings))
+  for (const bool is : is_free({meshes.a, rest}, {meshes.b, motions}, settings))
     words.add(is);
 }
 

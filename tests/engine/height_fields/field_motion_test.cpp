@@ -114,11 +114,12 @@ TEST(HeightFieldMotion, FirstContactsAreThoseOfTheMesh) {
                                   .axis = source.vector(-1, 1),
                                   .angle = turns ? source.uniform(-1, 1) : 0});
       const RigidContactSettings settings{.clearance = n % 7 == 0 ? 0.1 : 0, .tolerance = 1e-3};
-      const RigidContact found = first_contact(twins.field(), of_field, shape, motion, settings);
-      EXPECT_EQ(found, first_contact(twins.mesh(), of_field, shape, motion, settings))
+      const RigidContact found =
+          first_contact({twins.field(), of_field}, {shape, motion}, settings);
+      EXPECT_EQ(found, first_contact({twins.mesh(), of_field}, {shape, motion}, settings))
           << n << name_of(kind);
-      EXPECT_EQ(found, first_contact(shape, motion, twins.field(), of_field, settings));
-      EXPECT_EQ(is_free(twins.field(), of_field, shape, motion, settings),
+      EXPECT_EQ(found, first_contact({shape, motion}, {twins.field(), of_field}, settings));
+      EXPECT_EQ(is_free({twins.field(), of_field}, {shape, motion}, settings),
                 found.status == RigidStatus::Free);
       hits += found.status == RigidStatus::Hit;
       free += found.status == RigidStatus::Free;
@@ -135,7 +136,7 @@ TEST(HeightFieldMotion, RefusesWhatAMeshRefuses) {
   const Pose at = Pose::Identity();
   EXPECT_THROW(cast({twins.field()}, {ball, at}, {0, 0, 2e100}), PoseError);
   EXPECT_THROW(
-      first_contact(twins.field(), RigidMotion(at), ball, RigidMotion(at), {.clearance = -1}),
+      first_contact({twins.field(), RigidMotion(at)}, {ball, RigidMotion(at)}, {.clearance = -1}),
       InputError);
 }
 

@@ -137,7 +137,7 @@ TEST(HeightFieldWorld, QueriesOfTheWorldAreThoseOfAMesh) {
     EXPECT_EQ(near->id, wanted->id);
     EXPECT_EQ(near->distance.distance, wanted->distance.distance);
     const RigidMotion motion(pose, {.centre = pose.translation(), .shift = source.vector(-3, 3)});
-    EXPECT_EQ(on_field.world().cast(shape, motion), on_mesh.world().cast(shape, motion));
+    EXPECT_EQ(on_field.world().cast({shape, motion}), on_mesh.world().cast({shape, motion}));
     const Ray ray{pose.translation(), source.vector(-1, 1)};
     const auto hit = on_field.world().cast_ray(ray);
     const auto on = on_mesh.world().cast_ray(ray);

@@ -169,10 +169,10 @@ class Asked {
     std::sort(wanted.begin(), wanted.end(), [](const BodyCast& s, const BodyCast& t) {
       return std::tie(s.contact.low, s.id) < std::tie(t.contact.low, t.id);
     });
-    const std::vector<BodyCast> found = world_.cast_all(shape, motion, contact, settings_);
+    const std::vector<BodyCast> found = world_.cast_all({shape, motion}, contact, settings_);
     expect(found == wanted, "cast_all() differs: " + std::to_string(found.size()) +
                                 " bodies, not " + std::to_string(wanted.size()));
-    const std::optional<BodyCast> first = world_.cast(shape, motion, contact, settings_);
+    const std::optional<BodyCast> first = world_.cast({shape, motion}, contact, settings_);
     expect(first.has_value() == !wanted.empty() && (!first || *first == wanted[0]),
            "cast() differs");
     return wanted.size();

@@ -145,7 +145,7 @@ std::optional<RigidContact> contact_in_motion(const MovedShape& a, const MovedSh
       return RigidContact{RigidStatus::Free, 1, 1, false};
   }
   try {
-    return first_contact(a.shape, a.motion, b.shape, b.motion, settings);
+    return first_contact({a.shape, a.motion}, {b.shape, b.motion}, settings);
   } catch (const PoseError&) {
     return std::nullopt;
   } catch (const UnsupportedPairError&) {

@@ -74,8 +74,8 @@ TEST(Law14MeshApproach, IsTheFirstTimeOfTheGrid) {
                                .axis = source.vector(-1, 1),
                                .angle = n % 8 == 1 ? source.uniform(-0.5, 0.5) : 0});
     const RigidContactSettings settings{.clearance = n % 7 == 0 ? 0.05 : 0, .tolerance = 0.02};
-    const RigidContact found = first_contact(shape, motion, mesh, of_mesh, settings);
-    const RigidContact mirrored = first_contact(mesh, of_mesh, shape, motion, settings);
+    const RigidContact found = first_contact({shape, motion}, {mesh, of_mesh}, settings);
+    const RigidContact mirrored = first_contact({mesh, of_mesh}, {shape, motion}, settings);
     EXPECT_EQ(found, mirrored);
     // The grid is no finer than this: steps of less than a quarter of the tolerance, of 16 metres.
     constexpr double kStep = 1.0 / 4096;
@@ -106,8 +106,8 @@ TEST(Law14Approach, OfConvexShapesIsTheFirstTimeOfTheGrid) {
     };
     const RigidMotion motion_a = motion_of(start_a), motion_b = motion_of(start_b);
     const RigidContactSettings settings{.clearance = n % 7 == 0 ? 0.05 : 0, .tolerance = 0.02};
-    const RigidContact found = first_contact(shape_a, motion_a, shape_b, motion_b, settings);
-    EXPECT_EQ(found, first_contact(shape_b, motion_b, shape_a, motion_a, settings));
+    const RigidContact found = first_contact({shape_a, motion_a}, {shape_b, motion_b}, settings);
+    EXPECT_EQ(found, first_contact({shape_b, motion_b}, {shape_a, motion_a}, settings));
     constexpr double kStep = 1.0 / 4096;
     const double truth = first_time_by_sampling(shape_a, motion_a, shape_b, motion_b,
                                                 settings.clearance + settings.tolerance, kStep);
@@ -127,7 +127,8 @@ TEST(Law14Approach, WhatTurnsTogetherTakesFewGaps) {
   const RigidMotion turn_box(at(2, 0, 0.201), {.angle = 1});
   for (const Shape& below : {Shape(table), Shape(Box{{3, 3, 0.1}})}) {
     Work work;
-    EXPECT_EQ(first_contact(box, turn_box, below, turn_table, {}, &work).status, RigidStatus::Free);
+    EXPECT_EQ(first_contact({box, turn_box}, {below, turn_table}, {}, &work).status,
+              RigidStatus::Free);
     EXPECT_LT(work.convex_tests, 200u);
   }
 }
@@ -137,7 +138,8 @@ TEST(Law14MeshApproach, ALongSlideTakesFewGaps) {
   const Shape ball = Sphere{{0, 0, 0}, 0.25};
   const RigidMotion slide(at(0.5, 0, 0.2501), {.shift = {30, 0, 0}});
   Work work;
-  const RigidContact found = first_contact(ball, slide, mesh, RigidMotion(at(0, 0, 0)), {}, &work);
+  const RigidContact found =
+      first_contact({ball, slide}, {mesh, RigidMotion(at(0, 0, 0))}, {}, &work);
   EXPECT_NEAR(found.low, (24.5 - 0.25) / 30, 1e-6);
   EXPECT_EQ(found.status, RigidStatus::Hit);
   EXPECT_LT(work.convex_tests, 100u);
@@ -148,10 +150,10 @@ TEST(Law14MeshApproach, ABudgetEndsEarly) {
   const Shape ball = Sphere{{0, 0, 0}, 0.25};
   const RigidMotion fall(at(3.5, 0.5, 5), {.shift = {3, 0, -6}});
   const RigidMotion rest(at(0, 0, 0));
-  const RigidContact whole = first_contact(ball, fall, mesh, rest);
+  const RigidContact whole = first_contact({ball, fall}, {mesh, rest});
   ASSERT_EQ(whole.status, RigidStatus::Hit);
   for (std::uint64_t budget = 0; budget < 4; ++budget) {
-    const RigidContact cut = first_contact(ball, fall, mesh, rest, {.budget = budget});
+    const RigidContact cut = first_contact({ball, fall}, {mesh, rest}, {.budget = budget});
     EXPECT_TRUE(cut.is_out_of_budget);
     EXPECT_EQ(cut.status, RigidStatus::Close);
     EXPECT_LE(cut.low, whole.low);

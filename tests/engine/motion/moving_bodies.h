@@ -75,7 +75,7 @@ inline std::vector<BodyFirstContact> ask_every_pair(const std::vector<KnownBody>
       const KnownBody &a = bodies[i], &b = bodies[j];
       if (!is_swept(a) && !is_swept(b)) continue;
       const RigidContact contact =
-          first_contact(a.shape, a.motion(), b.shape, b.motion(), settings);
+          first_contact({a.shape, a.motion()}, {b.shape, b.motion()}, settings);
       if (contact.status == RigidStatus::Free) continue;
       found.push_back({.pair = {a.id, b.id},
                        .contact = contact,

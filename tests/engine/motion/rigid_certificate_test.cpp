@@ -24,7 +24,7 @@ struct TurningRod {
       RigidMotion(Pose::Identity(), {.shift = {0.03, 0.02, 0.1}, .axis = {0, 1, 9}, .angle = 7});
 
   bool is_proved_by(const FreedomCertificate& certificate) const {
-    return proves_freedom(certificate, ring, rest, rod, motion);
+    return proves_freedom(certificate, {ring, rest}, {rod, motion});
   }
 };
 
@@ -40,10 +40,10 @@ TEST(Law14Certificate, FreeMotionsHaveOneThatIsAccepted) {
     const Pose end_b = tests::random_pose(1.5, source);
     const RigidMotion motion_b = RigidMotion::between(start_b, end_b, source.vector(-1, 1));
     const RigidContactSettings settings{.clearance = i % 4 * 0.01};
-    const auto certificate = certify_free(a, motion_a, b, motion_b, settings);
-    EXPECT_EQ(certificate.has_value(), is_free(a, motion_a, b, motion_b, settings));
+    const auto certificate = certify_free({a, motion_a}, {b, motion_b}, settings);
+    EXPECT_EQ(certificate.has_value(), is_free({a, motion_a}, {b, motion_b}, settings));
     if (!certificate) continue;
-    EXPECT_TRUE(proves_freedom(*certificate, a, motion_a, b, motion_b));
+    EXPECT_TRUE(proves_freedom(*certificate, {a, motion_a}, {b, motion_b}));
     ++accepted;
   }
   EXPECT_GT(accepted, 20);
@@ -51,7 +51,7 @@ TEST(Law14Certificate, FreeMotionsHaveOneThatIsAccepted) {
 
 TEST(Law14Certificate, WithoutAStepOrWithAnotherPlaneItIsRefused) {
   const TurningRod scene;
-  const auto certificate = certify_free(scene.ring, scene.rest, scene.rod, scene.motion);
+  const auto certificate = certify_free({scene.ring, scene.rest}, {scene.rod, scene.motion});
   ASSERT_TRUE(certificate);
   ASSERT_TRUE(scene.is_proved_by(*certificate));
   const std::size_t step = std::max<std::size_t>(1, certificate->steps.size() / 40);
@@ -74,7 +74,7 @@ TEST(Law14Certificate, WithoutAStepOrWithAnotherPlaneItIsRefused) {
 
 TEST(Law14Certificate, WhatIsBrokenIsRefused) {
   const TurningRod scene;
-  const auto certificate = certify_free(scene.ring, scene.rest, scene.rod, scene.motion);
+  const auto certificate = certify_free({scene.ring, scene.rest}, {scene.rod, scene.motion});
   ASSERT_TRUE(certificate);
   const auto is_refused = [&](const auto& breaks) {
     FreedomCertificate broken = *certificate;
@@ -104,7 +104,7 @@ TEST(Law14Certificate, WhatIsBrokenIsRefused) {
 /// theirs.
 TEST(Law14Certificate, OfAnotherMotionOrMeshItProvesWhatItAcceptsOrIsRefused) {
   const TurningRod scene;
-  const auto certificate = certify_free(scene.ring, scene.rest, scene.rod, scene.motion);
+  const auto certificate = certify_free({scene.ring, scene.rest}, {scene.rod, scene.motion});
   ASSERT_TRUE(certificate);
   RandomSource source(1431);
   int refused = 0;
@@ -115,7 +115,7 @@ TEST(Law14Certificate, OfAnotherMotionOrMeshItProvesWhatItAcceptsOrIsRefused) {
                        .axis = scene.motion.axis() + reach * source.vector(-1, 1),
                        .angle = scene.motion.angle() + reach * source.uniform(-1, 1)};
     const RigidMotion other(tests::at(reach * source.uniform(-1, 1)), course);
-    if (!proves_freedom(*certificate, scene.ring, scene.rest, scene.rod, other)) {
+    if (!proves_freedom(*certificate, {scene.ring, scene.rest}, {scene.rod, other})) {
       ++refused;
       continue;
     }
@@ -127,15 +127,15 @@ TEST(Law14Certificate, OfAnotherMotionOrMeshItProvesWhatItAcceptsOrIsRefused) {
   // At the start all are where the certificate has them.
   const Mesh box = tests::make_box({0.5, 0.5, 0.5});
   const RigidMotion apart(tests::at(3));
-  const auto at_rest = certify_free(box, scene.rest, box, apart);
-  ASSERT_TRUE(at_rest && proves_freedom(*at_rest, box, scene.rest, box, apart));
+  const auto at_rest = certify_free({box, scene.rest}, {box, apart});
+  ASSERT_TRUE(at_rest && proves_freedom(*at_rest, {box, scene.rest}, {box, apart}));
   const RigidMotion comes(tests::at(3), {.shift = {-3, 0, 0}});
-  EXPECT_FALSE(proves_freedom(*at_rest, box, scene.rest, box, comes));
+  EXPECT_FALSE(proves_freedom(*at_rest, {box, scene.rest}, {box, comes}));
   const RigidMotion turns(tests::at(3), {.angle = std::acos(-1)});
-  EXPECT_FALSE(proves_freedom(*at_rest, box, scene.rest, box, turns));
+  EXPECT_FALSE(proves_freedom(*at_rest, {box, scene.rest}, {box, turns}));
   const Mesh longer = tests::make_box({0.75, 0.25, 0.125});
-  EXPECT_FALSE(proves_freedom(*certificate, scene.ring, scene.rest, longer, scene.motion));
-  EXPECT_FALSE(proves_freedom(*certificate, scene.rod, scene.rest, scene.ring, scene.motion));
+  EXPECT_FALSE(proves_freedom(*certificate, {scene.ring, scene.rest}, {longer, scene.motion}));
+  EXPECT_FALSE(proves_freedom(*certificate, {scene.rod, scene.rest}, {scene.ring, scene.motion}));
 }
 
 }  // namespace

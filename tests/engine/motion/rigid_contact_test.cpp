@@ -37,7 +37,7 @@ bool is_hit(const Mesh& a, const RigidMotion& motion_a, const Mesh& b, const Rig
 void expect_sound(const Mesh& a, const RigidMotion& motion_a, const Mesh& b,
                   const RigidMotion& motion_b, const RigidContactSettings& settings,
                   int samples = 200) {
-  const RigidContact found = first_contact(a, motion_a, b, motion_b, settings);
+  const RigidContact found = first_contact({a, motion_a}, {b, motion_b}, settings);
   const auto hits = [&](double t) {
     return is_hit(a, motion_a, b, motion_b, t, settings.clearance);
   };
@@ -60,10 +60,10 @@ void expect_sound(const Mesh& a, const RigidMotion& motion_a, const Mesh& b,
   }
   EXPECT_FALSE(found.is_out_of_budget);
 
-  const RigidContact mirrored = first_contact(b, motion_b, a, motion_a, settings);
+  const RigidContact mirrored = first_contact({b, motion_b}, {a, motion_a}, settings);
   EXPECT_EQ(found, mirrored);
-  EXPECT_EQ(is_free(a, motion_a, b, motion_b, settings), found.status == RigidStatus::Free);
-  const auto last = last_free(a, motion_a, b, motion_b, settings);
+  EXPECT_EQ(is_free({a, motion_a}, {b, motion_b}, settings), found.status == RigidStatus::Free);
+  const auto last = last_free({a, motion_a}, {b, motion_b}, settings);
   EXPECT_EQ(last.has_value(), found.low > 0);
   if (last) {
     EXPECT_TRUE(found.status == RigidStatus::Free ? *last == 1 : *last < found.low);
@@ -103,7 +103,7 @@ TEST(Law14Contact, SamplesOfRandomMotionsNeverHitWhatIsFree) {
     const RigidContactSettings settings{.clearance = i % 3 == 0 ? 0.01 : 0,
                                         .tolerance = i % 5 == 0 ? 1e-3 : 1e-6};
     expect_sound(a, motion_a, b, motion_b, settings);
-    ++counts[static_cast<int>(first_contact(a, motion_a, b, motion_b, settings).status)];
+    ++counts[static_cast<int>(first_contact({a, motion_a}, {b, motion_b}, settings).status)];
   }
   EXPECT_GT(counts[static_cast<int>(RigidStatus::Free)], 10);
   EXPECT_GT(counts[static_cast<int>(RigidStatus::Hit)], 10);
@@ -114,7 +114,7 @@ TEST(Law14Contact, ABoxFallsOnAPlane) {
   const Mesh box = tests::make_box({0.5, 0.5, 0.5});
   const RigidMotion rest(tests::at(0, 0, -0.5));
   const RigidMotion fall(tests::at(0, 0, 2.5), {.shift = {0, 0, -4}});
-  const RigidContact found = first_contact(plane, rest, box, fall);
+  const RigidContact found = first_contact({plane, rest}, {box, fall});
   EXPECT_EQ(found.status, RigidStatus::Hit);
   EXPECT_NEAR(found.low, 0.5, 1e-6);
   EXPECT_NEAR(found.high, 0.5, 1e-6);
@@ -131,14 +131,14 @@ TEST(Law14Contact, TheCornerOfATurningBoxMeetsAPlane) {
   const RigidMotion turn(tests::at(0, 0, height),
                          {.centre = {0, 0, height}, .axis = {1, 0, 0}, .angle = kHalfTurn / 4});
   const double time = (std::asin(height / std::sqrt(0.5)) - kHalfTurn / 4) / (kHalfTurn / 4);
-  const RigidContact found = first_contact(plane, rest, box, turn, {.tolerance = 1e-9});
+  const RigidContact found = first_contact({plane, rest}, {box, turn}, {.tolerance = 1e-9});
   EXPECT_EQ(found.status, RigidStatus::Hit);
   EXPECT_LE(found.low, time + 1e-15);
   EXPECT_NEAR(found.low, time, 1e-8);
   EXPECT_NEAR(found.high, time, 1e-8);
   // With a clearance it is as if the axis lay lower.
   const RigidContact near =
-      first_contact(plane, rest, box, turn, {.clearance = 0.05, .tolerance = 1e-9});
+      first_contact({plane, rest}, {box, turn}, {.clearance = 0.05, .tolerance = 1e-9});
   EXPECT_EQ(near.status, RigidStatus::Hit);
   EXPECT_NEAR(near.high,
               (std::asin((height - 0.05) / std::sqrt(0.5)) - kHalfTurn / 4) / (kHalfTurn / 4),
@@ -154,10 +154,10 @@ TEST(Law14Contact, ATurnThatEndsShortOfThePlaneIsFree) {
     const RigidMotion turn(
         tests::at(0, 0, height),
         {.centre = {0, 0, height}, .axis = {1, 0, 0}, .angle = 2 * kHalfTurn * turns});
-    EXPECT_EQ(first_contact(plane, rest, box, turn).status, RigidStatus::Free);
-    EXPECT_EQ(first_contact(plane, rest, box, turn, {.tolerance = 1e-5}).status,
+    EXPECT_EQ(first_contact({plane, rest}, {box, turn}).status, RigidStatus::Free);
+    EXPECT_EQ(first_contact({plane, rest}, {box, turn}, {.tolerance = 1e-5}).status,
               RigidStatus::Close);
-    EXPECT_EQ(first_contact(plane, rest, box, turn, {.clearance = 2.1e-6}).status,
+    EXPECT_EQ(first_contact({plane, rest}, {box, turn}, {.clearance = 2.1e-6}).status,
               RigidStatus::Hit);
   }
 }
@@ -167,9 +167,9 @@ TEST(Law14Contact, BodiesThatMoveAlikeStayAsFarApart) {
   const RigidCourse course{.centre = {3, 1, 2}, .shift = {5, 1, 0}, .axis = {1, 2, 3}, .angle = 9};
   const RigidMotion one(tests::at(0), course);
   const RigidMotion other(tests::at(1.001), course);
-  EXPECT_TRUE(is_free(box, one, box, other));
-  EXPECT_FALSE(is_free(box, one, box, other, {.clearance = 0.00101}));
-  EXPECT_EQ(first_contact(box, one, box, one).status, RigidStatus::Hit);
+  EXPECT_TRUE(is_free({box, one}, {box, other}));
+  EXPECT_FALSE(is_free({box, one}, {box, other}, {.clearance = 0.00101}));
+  EXPECT_EQ(first_contact({box, one}, {box, one}).status, RigidStatus::Hit);
 }
 
 TEST(Law14Contact, SpecialPositionsAreSound) {
@@ -181,18 +181,19 @@ TEST(Law14Contact, SpecialPositionsAreSound) {
   // A rod through a ring, along and about its axis.
   const Pose upright(Eigen::AngleAxisd(kHalfTurn / 2, Eigen::Vector3d::UnitY()) * Pose::Identity());
   const RigidMotion screw = RigidMotion::screw(upright, {.angle = 20, .pitch = 0.1});
-  EXPECT_TRUE(is_free(ring, rest, rod, screw));
+  EXPECT_TRUE(is_free({ring, rest}, {rod, screw}));
   expect_sound(ring, rest, rod, screw, {});
   // Concentric, in contact from the start, at rest, touching faces that slide.
   expect_sound(box, rest, box, RigidMotion(Pose::Identity(), {.angle = 1}), {});
   expect_sound(box, rest, box, RigidMotion(tests::at(1), {.shift = {0, 0.5, 0}}), {});
   expect_sound(box, rest, box, RigidMotion(tests::at(1.5)), {});
-  EXPECT_EQ(first_contact(box, rest, box, RigidMotion(tests::at(1))).status, RigidStatus::Hit);
-  EXPECT_EQ(first_contact(box, rest, box, RigidMotion(tests::at(1))).high, 0);
+  EXPECT_EQ(first_contact({box, rest}, {box, RigidMotion(tests::at(1))}).status, RigidStatus::Hit);
+  EXPECT_EQ(first_contact({box, rest}, {box, RigidMotion(tests::at(1))}).high, 0);
   // Faces that slide a little apart, and nearer than the tolerance.
-  EXPECT_TRUE(is_free(box, rest, box, RigidMotion(tests::at(1.0001), {.shift = {0, 5, 3}})));
+  EXPECT_TRUE(is_free({box, rest}, {box, RigidMotion(tests::at(1.0001), {.shift = {0, 5, 3}})}));
   EXPECT_EQ(
-      first_contact(box, rest, box, RigidMotion(tests::at(1.0000001), {.shift = {0, 5, 3}})).status,
+      first_contact({box, rest}, {box, RigidMotion(tests::at(1.0000001), {.shift = {0, 5, 3}})})
+          .status,
       RigidStatus::Close);
   // Sheets without thickness that sweep past and through.
   expect_sound(sheet, rest, sheet,
@@ -209,7 +210,7 @@ TEST(Law14Contact, ThinPartsThatPassQuicklyAreSeen) {
   const Pose across(Eigen::AngleAxisd(kHalfTurn / 2, Eigen::Vector3d::UnitY()) * Pose::Identity());
   // Many turns of a blade about an axis beside the needle.
   const RigidMotion blade(across, {.centre = {0.5, 0.25, 0}, .angle = 300});
-  const RigidContact found = first_contact(needle, rest, needle, blade);
+  const RigidContact found = first_contact({needle, rest}, {needle, blade});
   EXPECT_NE(found.status, RigidStatus::Free);
   expect_sound(needle, rest, needle, blade, {}, 20000);
 }
@@ -219,15 +220,15 @@ TEST(Law14Contact, ABudgetEndsInCloseAndIsSound) {
   const RigidMotion rest(Pose::Identity());
   const RigidMotion motion(
       tests::at(3), {.centre = {3, 0, 0}, .shift = {-3, 0, 0}, .axis = {1, 1, 0}, .angle = 2});
-  const RigidContact all = first_contact(a, rest, a, motion);
+  const RigidContact all = first_contact({a, rest}, {a, motion});
   ASSERT_EQ(all.status, RigidStatus::Hit);
   for (std::uint64_t budget = 0; budget < 3000; budget = budget * 2 + 1) {
-    const RigidContact some = first_contact(a, rest, a, motion, {.budget = budget});
+    const RigidContact some = first_contact({a, rest}, {a, motion}, {.budget = budget});
     EXPECT_LE(some.low, all.low);
     EXPECT_EQ(some.is_out_of_budget, some.status == RigidStatus::Close);
-    EXPECT_FALSE(is_free(a, rest, a, motion, {.budget = budget}));
+    EXPECT_FALSE(is_free({a, rest}, {a, motion}, {.budget = budget}));
   }
-  EXPECT_TRUE(first_contact(a, rest, a, motion, {.budget = 0}).is_out_of_budget);
+  EXPECT_TRUE(first_contact({a, rest}, {a, motion}, {.budget = 0}).is_out_of_budget);
 }
 
 TEST(Law14Threads, BatchesAnswerAsEachMotionAlone) {
@@ -241,23 +242,23 @@ TEST(Law14Threads, BatchesAnswerAsEachMotionAlone) {
   for (const int threads : {0, 1, 2}) {
     Work work;
     const std::vector<RigidContact> found =
-        first_contact(a, motion_a, b, motions, {}, {.threads = threads}, &work);
-    const std::vector<bool> free = is_free(a, motion_a, b, motions, {}, {.threads = threads});
+        first_contact({a, motion_a}, {b, motions}, {}, {.threads = threads}, &work);
+    const std::vector<bool> free = is_free({a, motion_a}, {b, motions}, {}, {.threads = threads});
     ASSERT_EQ(found.size(), motions.size());
     for (std::size_t i = 0; i < motions.size(); ++i) {
-      EXPECT_EQ(found[i], first_contact(a, motion_a, b, motions[i]));
+      EXPECT_EQ(found[i], first_contact({a, motion_a}, {b, motions[i]}));
       EXPECT_EQ(free[i], found[i].status == RigidStatus::Free);
     }
     EXPECT_GT(work.volume_tests, 0u);
   }
   motions[7] = RigidMotion(Pose::Identity(), {.shift = {1e200, 0, 0}});
   try {
-    first_contact(a, motion_a, b, motions);
+    first_contact({a, motion_a}, {b, motions});
     FAIL();
   } catch (const PoseError& error) {
     EXPECT_EQ(error.place().index, 7u);
   }
-  EXPECT_THROW(is_free(a, motion_a, b, {}, {}, {.threads = -1}), InputError);
+  EXPECT_THROW(is_free({a, motion_a}, {b, {}}, {}, {.threads = -1}), InputError);
 }
 
 TEST(Law14Threads, BatchesOfPairsAnswerAsEachAlone) {
@@ -267,8 +268,8 @@ TEST(Law14Threads, BatchesOfPairsAnswerAsEachAlone) {
                                  tests::random_soup({.count = 20, .extent = 0.5}, source)};
   std::vector<RigidPair> pairs;
   for (std::size_t i = 0; i < 30; ++i)
-    pairs.push_back({meshes[i % 3], random_motion(source, 1, 1), meshes[i / 3 % 3],
-                     random_motion(source, 2, 3)});
+    pairs.push_back({{meshes[i % 3], random_motion(source, 1, 1)},
+                     {meshes[i / 3 % 3], random_motion(source, 2, 3)}});
   const RigidContactSettings settings{.clearance = 0.01};
   int free_ones = 0;
   for (const int threads : {0, 1, 2}) {
@@ -279,8 +280,7 @@ TEST(Law14Threads, BatchesOfPairsAnswerAsEachAlone) {
     ASSERT_EQ(found.size(), pairs.size());
     for (std::size_t i = 0; i < pairs.size(); ++i) {
       const RigidPair& pair = pairs[i];
-      EXPECT_EQ(found[i],
-                first_contact(pair.mesh_a, pair.motion_a, pair.mesh_b, pair.motion_b, settings));
+      EXPECT_EQ(found[i], first_contact(pair.a, pair.b, settings));
       EXPECT_EQ(free[i], found[i].status == RigidStatus::Free);
       free_ones += free[i];
     }
@@ -289,7 +289,7 @@ TEST(Law14Threads, BatchesOfPairsAnswerAsEachAlone) {
   EXPECT_GT(free_ones, 5);
   EXPECT_LT(free_ones, 85);
   EXPECT_TRUE(first_contact(std::vector<RigidPair>{}).empty());
-  pairs[7].motion_a = RigidMotion(Pose::Identity(), {.shift = {1e200, 0, 0}});
+  pairs[7].a.motion = RigidMotion(Pose::Identity(), {.shift = {1e200, 0, 0}});
   try {
     first_contact(pairs);
     FAIL();
@@ -297,7 +297,7 @@ TEST(Law14Threads, BatchesOfPairsAnswerAsEachAlone) {
     EXPECT_EQ(error.place().index, 7u);
     EXPECT_EQ(std::string(error.what()).rfind("motion of mesh A of pair 7", 0), 0u);
   }
-  pairs[7].motion_a = pairs[7].motion_b;
+  pairs[7].a.motion = pairs[7].b.motion;
   EXPECT_THROW(is_free(pairs, {}, {.threads = -1}), InputError);
   EXPECT_THROW(is_free(pairs, {.clearance = -1}), InputError);
 }
@@ -314,8 +314,8 @@ TEST(Law14Order, TrianglesAndVerticesInAnotherOrderChangeNothing) {
     const Mesh reordered(a.vertices(), triangles);
     const RigidMotion motion_a = random_motion(source, 1.5, 2);
     const RigidMotion motion_b = random_motion(source, 1.5, 4);
-    EXPECT_EQ(first_contact(a, motion_a, b, motion_b),
-              first_contact(reordered, motion_a, b, motion_b));
+    EXPECT_EQ(first_contact({a, motion_a}, {b, motion_b}),
+              first_contact({reordered, motion_a}, {b, motion_b}));
   }
 }
 
@@ -334,13 +334,13 @@ TEST(RigidContact, IsPrintedInWords) {
 TEST(Law14Door, QueriesRefuseWhatTheyCannotAnswer) {
   const Mesh box = tests::make_box({0.5, 0.5, 0.5});
   const RigidMotion rest(Pose::Identity());
-  EXPECT_THROW(first_contact(box, rest, box, rest, {.clearance = -1}), InputError);
-  EXPECT_THROW(first_contact(box, rest, box, rest, {.clearance = std::nan("")}), InputError);
-  EXPECT_THROW(first_contact(box, rest, box, rest, {.tolerance = -1}), InputError);
-  EXPECT_THROW(is_free(box, rest, box, rest, {.tolerance = std::nan("")}), InputError);
+  EXPECT_THROW(first_contact({box, rest}, {box, rest}, {.clearance = -1}), InputError);
+  EXPECT_THROW(first_contact({box, rest}, {box, rest}, {.clearance = std::nan("")}), InputError);
+  EXPECT_THROW(first_contact({box, rest}, {box, rest}, {.tolerance = -1}), InputError);
+  EXPECT_THROW(is_free({box, rest}, {box, rest}, {.tolerance = std::nan("")}), InputError);
   const RigidMotion far(Pose::Identity(), {.shift = {1e200, 0, 0}});
-  EXPECT_THROW(first_contact(box, rest, box, far), PoseError);
-  EXPECT_THROW(last_free(box, far, box, rest), PoseError);
+  EXPECT_THROW(first_contact({box, rest}, {box, far}), PoseError);
+  EXPECT_THROW(last_free({box, far}, {box, rest}), PoseError);
 }
 
 /// The bundled gears roll over a pitch, each about its own axis, with the backlash that their page
@@ -355,10 +355,10 @@ TEST(Law14Bundled, GearsRollOverAPitchAndBindAtTheirBacklash) {
     return RigidMotion(start, {.centre = start.translation(), .angle = angle});
   };
   const RigidMotion rolls(Pose::Identity(), {.angle = -pitch});
-  EXPECT_TRUE(is_free(gear, rolls, pinion, turned(pitch * 31 / 19)));
-  EXPECT_FALSE(is_free(gear, rolls, pinion, turned(pitch * 31 / 19 * 1.2)));
-  const RigidContact bound =
-      first_contact(gear, RigidMotion(Pose::Identity()), pinion, turned(0.1), {.tolerance = 1e-8});
+  EXPECT_TRUE(is_free({gear, rolls}, {pinion, turned(pitch * 31 / 19)}));
+  EXPECT_FALSE(is_free({gear, rolls}, {pinion, turned(pitch * 31 / 19 * 1.2)}));
+  const RigidContact bound = first_contact({gear, RigidMotion(Pose::Identity())},
+                                           {pinion, turned(0.1)}, {.tolerance = 1e-8});
   EXPECT_EQ(bound.status, RigidStatus::Hit);
   EXPECT_NEAR(0.1 * bound.high, 0.04e-3 / 19e-3, 0.00025);
   EXPECT_NEAR(bound.low, bound.high, 1e-5);
@@ -377,8 +377,8 @@ TEST(Law14Bundled, ANutBindsWhenItsLeadIsOff) {
     return RigidMotion::screw(turning[0],
                               {.axis = axis, .angle = 2 * kHalfTurn * turns, .pitch = lead});
   };
-  EXPECT_TRUE(is_free(bolt, rest, nut, turned(1.25e-3, 0.45)));
-  const RigidContact bound = first_contact(bolt, rest, nut, turned(1.5e-3, 0.45));
+  EXPECT_TRUE(is_free({bolt, rest}, {nut, turned(1.25e-3, 0.45)}));
+  const RigidContact bound = first_contact({bolt, rest}, {nut, turned(1.5e-3, 0.45)});
   EXPECT_EQ(bound.status, RigidStatus::Hit);
   const double play = 0.042e-3 / std::cos(kHalfTurn / 6);
   EXPECT_NEAR(0.25e-3 * 0.45 * bound.high, play, 0.05 * play);

@@ -72,13 +72,13 @@ TEST(Law14World, AllBodiesAreFoundThatOneByOneAreMet) {
     const Shape shape = random_shape(source, n);
     const RigidMotion motion = random_motion(source, n);
     const RigidContactSettings settings{.clearance = n % 4 == 0 ? 0.05 : 0};
-    const std::vector<BodyCast> casts = world.cast_all(shape, motion, settings);
+    const std::vector<BodyCast> casts = world.cast_all({shape, motion}, settings);
     std::size_t met = 0;
     for (const auto& each : bodies) {
       const BodyId id = each.first;  // a lambda of clang 14 captures no binding
       const auto& body = each.second;
       const RigidContact alone =
-          first_contact(shape, motion, body.first, RigidMotion(body.second), settings);
+          first_contact({shape, motion}, {body.first, RigidMotion(body.second)}, settings);
       const auto found = std::find_if(casts.begin(), casts.end(),
                                       [&](const BodyCast& cast) { return cast.id == id; });
       if (alone.status == RigidStatus::Free) {
@@ -93,7 +93,7 @@ TEST(Law14World, AllBodiesAreFoundThatOneByOneAreMet) {
     EXPECT_TRUE(std::is_sorted(casts.begin(), casts.end(), [](const auto& s, const auto& t) {
       return s.contact.low < t.contact.low;
     }));
-    const std::optional<BodyCast> first = world.cast(shape, motion, settings);
+    const std::optional<BodyCast> first = world.cast({shape, motion}, settings);
     EXPECT_EQ(first.has_value(), !casts.empty());
     if (first) {
       EXPECT_EQ(*first, casts.front());
@@ -109,13 +109,13 @@ TEST(Law14World, NothingTunnelsHoweverThinTheWall) {
   const BodyId behind = world.add({tests::make_box({0.5, 0.5, 0.5}), at(20, 0, 0)});
   const Shape bullet = Sphere{{0, 0, 0}, 0.001};
   const RigidMotion shot(at(-100, 0, 0), {.shift = {1000, 0, 0}});
-  const std::optional<BodyCast> first = world.cast(bullet, shot);
+  const std::optional<BodyCast> first = world.cast({bullet, shot});
   ASSERT_TRUE(first.has_value());
   EXPECT_EQ(first->id, wall);
   EXPECT_EQ(first->contact.status, RigidStatus::Hit);
   EXPECT_LE(first->contact.low, (105 - 1e-6 - 0.001) / 1000);
   EXPECT_NEAR(first->contact.low, (105 - 1e-6 - 0.001) / 1000, 1e-8);
-  const std::vector<BodyCast> all = world.cast_all(bullet, shot);
+  const std::vector<BodyCast> all = world.cast_all({bullet, shot});
   ASSERT_EQ(all.size(), 2u);
   EXPECT_EQ(all[1].id, behind);
   EXPECT_NEAR(all[1].contact.low, (119.5 - 0.001) / 1000, 1e-8);
@@ -127,9 +127,9 @@ TEST(Law14World, AClearanceReachesBeyondBoxes) {
   const BodyId beside = world.add({Box{{1, 1, 1}}, at(0, 2.03, 0)});
   const Shape ball = Sphere{{0, 0, 0}, 1};
   const RigidMotion past(at(-5, 0, 0), {.shift = {10, 0, 0}});
-  EXPECT_FALSE(world.cast(ball, past).has_value());
-  EXPECT_FALSE(world.cast(ball, past, {.clearance = 0.02}).has_value());
-  const std::optional<BodyCast> near = world.cast(ball, past, {.clearance = 0.05});
+  EXPECT_FALSE(world.cast({ball, past}).has_value());
+  EXPECT_FALSE(world.cast({ball, past}, {.clearance = 0.02}).has_value());
+  const std::optional<BodyCast> near = world.cast({ball, past}, {.clearance = 0.05});
   ASSERT_TRUE(near.has_value());
   EXPECT_EQ(near->id, beside);
   EXPECT_EQ(near->contact.status, RigidStatus::Hit);
@@ -145,19 +145,19 @@ TEST(Law14World, FiltersMovesAndTurns) {
   const Shape rod = Capsule{0.05, 0.5};
   // Rolling on the floor it touches from the start; without the floor the post is the first.
   const RigidMotion slide(at(0, 0, 0.5), {.shift = {6, 0, 0}});
-  EXPECT_EQ(world.cast(rod, slide)->id, floor);
-  EXPECT_EQ(world.cast(rod, slide)->contact.low, 0);
+  EXPECT_EQ(world.cast({rod, slide})->id, floor);
+  EXPECT_EQ(world.cast({rod, slide})->contact.low, 0);
   const BodyQuerySettings bodies_alone{.filter = Filter{.mask = 1}};
-  EXPECT_EQ(world.cast(rod, slide, {}, bodies_alone)->id, post);
+  EXPECT_EQ(world.cast({rod, slide}, {}, bodies_alone)->id, post);
   // Around a centre 3 metres away, half a turn: it comes to the post after a quarter.
   const RigidMotion swing(at(0, 3, 1),
                           {.centre = {0, 0, 0}, .axis = {0, 0, -1}, .angle = std::numbers::pi});
-  const std::optional<BodyCast> swung = world.cast(rod, swing, {}, bodies_alone);
+  const std::optional<BodyCast> swung = world.cast({rod, swing}, {}, bodies_alone);
   ASSERT_TRUE(swung.has_value());
   EXPECT_NEAR(swung->contact.low, 0.5 - 2 * std::asin(0.15 / 6) / std::numbers::pi, 1e-6);
   // Moves count before an update.
   world.move(post, at(3, 0, 100));
-  EXPECT_FALSE(world.cast(rod, swing, {}, bodies_alone).has_value());
+  EXPECT_FALSE(world.cast({rod, swing}, {}, bodies_alone).has_value());
 }
 
 // A user's own shape throws where it is asked.
@@ -167,19 +167,19 @@ TEST(Law14World, OnlyThoseAreAskedThatItMayComeToFirst) {
   const Shape ball = Sphere{{0, 0, 0}, 0.5};
   // Beside the way, in the box of all of its places.
   const RigidMotion slant(at(0, 0, 0), {.shift = {10, 10, 0}});
-  EXPECT_FALSE(world.cast(ball, slant).has_value());
-  EXPECT_TRUE(world.cast_all(ball, slant).empty());
+  EXPECT_FALSE(world.cast({ball, slant}).has_value());
+  EXPECT_TRUE(world.cast_all({ball, slant}).empty());
   // On the way, and behind something else.
   const RigidMotion along(at(0, 2, 0), {.shift = {10, 0, 0}});
-  EXPECT_THROW(world.cast(ball, along), UnsupportedPairError);
+  EXPECT_THROW(world.cast({ball, along}), UnsupportedPairError);
   const BodyId wall = world.add({Box{{0.1, 2, 2}}, at(4, 2, 0)});
-  const auto met = world.cast(ball, along);
+  const auto met = world.cast({ball, along});
   ASSERT_TRUE(met.has_value());
   EXPECT_EQ(met->id, wall);
   EXPECT_NEAR(met->contact.low, 0.34, 1e-6);
-  EXPECT_THROW(world.cast_all(ball, along), UnsupportedPairError);
+  EXPECT_THROW(world.cast_all({ball, along}), UnsupportedPairError);
   // As near as the clearance, where boxes as they are do not meet.
-  EXPECT_THROW(world.cast_all(ball, slant, {.clearance = 4}), UnsupportedPairError);
+  EXPECT_THROW(world.cast_all({ball, slant}, {.clearance = 4}), UnsupportedPairError);
 }
 
 TEST(Law14World, ABudgetEndsNoEarlierThanBoxesMeet) {
@@ -187,7 +187,7 @@ TEST(Law14World, ABudgetEndsNoEarlierThanBoxesMeet) {
   const BodyId far = world.add({Box{{1, 1, 1}}, at(6, 0, 0)});
   const BodyId near = world.add({Sphere{{0, 0, 0}, 0.5}, at(3, 0, 0)});
   const RigidMotion along(at(0, 0, 0), {.shift = {10, 0, 0}});
-  const auto all = world.cast_all(Sphere{{0, 0, 0}, 0.5}, along, {.budget = 0});
+  const auto all = world.cast_all({Sphere{{0, 0, 0}, 0.5}, along}, {.budget = 0});
   ASSERT_EQ(all.size(), 2u);
   EXPECT_EQ(all[0].id, near);
   EXPECT_EQ(all[1].id, far);
@@ -197,7 +197,7 @@ TEST(Law14World, ABudgetEndsNoEarlierThanBoxesMeet) {
   }
   EXPECT_NEAR(all[0].contact.low, 0.2, 1e-6);
   EXPECT_NEAR(all[1].contact.low, 0.45, 1e-6);
-  EXPECT_EQ(world.cast(Sphere{{0, 0, 0}, 0.5}, along, {.budget = 0}), all[0]);
+  EXPECT_EQ(world.cast({Sphere{{0, 0, 0}, 0.5}, along}, {.budget = 0}), all[0]);
 }
 
 TEST(Law14World, BadInputIsRefused) {
@@ -205,9 +205,9 @@ TEST(Law14World, BadInputIsRefused) {
   world.add({Sphere{{0, 0, 0}, 1}, at(0, 0, 0)});
   const RigidMotion motion(at(0, 0, 5), {.shift = {0, 0, -10}});
   const Shape ball = Sphere{{0, 0, 0}, 1};
-  EXPECT_THROW(world.cast(ball, motion, {.clearance = -1}), InputError);
-  EXPECT_THROW(world.cast(ball, motion, {.tolerance = HUGE_VAL}), InputError);
-  EXPECT_FALSE(World(WorldSettings{}).cast(ball, motion).has_value());
+  EXPECT_THROW(world.cast({ball, motion}, {.clearance = -1}), InputError);
+  EXPECT_THROW(world.cast({ball, motion}, {.tolerance = HUGE_VAL}), InputError);
+  EXPECT_FALSE(World(WorldSettings{}).cast({ball, motion}).has_value());
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include <graze/bvh/error.h>
 #include <graze/engine/mesh/pair.h>
+#include <graze/engine/mesh/pair_memory.h>
 #include <graze/engine/mesh/placement.h>
 #include <graze/engine/mesh/self.h>
 #include <graze/engine/mesh/volume_query.h>
@@ -9,6 +10,7 @@
 #include <algorithm>
 
 #include "tests/shapes/formula_meshes.h"
+#include "tests/shapes/pose_at.h"
 #include "tests/shapes/random_meshes.h"
 
 namespace graze {
@@ -116,16 +118,50 @@ concept HasWideVolume = requires(Settings settings) {
   settings.volume = PairVolume::WideObb;
 };
 
+template <typename Settings>
+concept HasThreads = requires(Settings settings) {
+  settings.threads;
+};
+template <typename Settings>
+concept HasLimit = requires(Settings settings) {
+  settings.limit;
+};
+
 // What a query would have to ignore or refuse does not compile.
 static_assert(HasHit<QuerySettings> && HasWideVolume<QuerySettings>);
 static_assert(!HasTouch<QuerySettings> && !HasInterior<QuerySettings>);
 static_assert(!HasVolume<MemoryQuerySettings> && !HasVolume<MemoryPairSettings>);
+static_assert(!HasThreads<PairSettings> && !HasThreads<MemoryPairSettings>);
+static_assert(HasThreads<SharedPairSettings> && HasTouch<SharedPairSettings>);
+static_assert(!HasLimit<SharedPairSettings> && !HasVolume<SharedPairSettings>);
 static_assert(HasInterior<VolumeQuerySettings> && !HasHit<VolumeQuerySettings>);
 static_assert(!HasTouch<VolumeQuerySettings> && !HasWideVolume<VolumeQuerySettings>);
 static_assert(!HasTouch<TriangleSettings> && !HasWideVolume<TriangleSettings>);
 static_assert(!HasTouch<SelfQuerySettings> && !HasInterior<SelfQuerySettings>);
 static_assert(!HasWideVolume<SelfQuerySettings> && !HasWideVolume<SelfSettings>);
 static_assert(!HasTouch<IntersectionSettings> && !HasHit<IntersectionSettings>);
+
+TEST(Law4PairThreads, ManyThreadsFindWhatOneDoes) {
+  const Mesh a = tests::make_torus(1, 0.25, 48, 24);
+  const Pose pose = tests::at(0.5, 0.25, 0.125);
+  for (const Touch touch : {Touch::Include, Touch::Exclude}) {
+    const TrianglePairs expected = find_triangle_pairs({a}, {a, pose}, {.touch = touch});
+    ASSERT_GT(expected.size(), 50u);
+    PairMemory memory;
+    for (const int threads : {0, 1, 2, 3}) {
+      Work work;
+      EXPECT_EQ(find_triangle_pairs({a}, {a, pose}, {.touch = touch, .threads = threads}, &work),
+                expected);
+      EXPECT_GT(work.volume_tests, 0u);
+      const SharedPairSettings settings{.touch = touch, .threads = threads};
+      EXPECT_EQ(find_triangle_pairs({a}, {a, pose}, memory, settings), expected);
+      EXPECT_TRUE(find_triangle_pairs({a}, {a, tests::at(9)}, settings).empty());
+    }
+  }
+  EXPECT_THROW(find_triangle_pairs({a}, {a}, {.threads = -1}), InputError);
+  PairMemory memory;
+  EXPECT_THROW(find_triangle_pairs({a}, {a}, memory, {.threads = -1}), InputError);
+}
 
 TEST(Law10TouchPolicy, WhatIsNoneIsRefused) {
   const Mesh box = tests::make_box({1, 1, 1});

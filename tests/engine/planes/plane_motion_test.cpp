@@ -35,13 +35,13 @@ TEST(PlaneMotions, ABallMeetsOneFromEitherSide) {
     EXPECT_EQ(met->normal, Vector3d(0, 0, side));
     EXPECT_FALSE(cast(floor, {ball, at(0, 0, 2.5 * side)}, {1, 0, 4 * side}));
     const RigidContact contact =
-        first_contact(ball, RigidMotion(at(0, 0, 2.5 * side), {.shift = {0, 0, -4 * side}}), floor,
-                      RigidMotion(Pose::Identity()));
+        first_contact({ball, RigidMotion(at(0, 0, 2.5 * side), {.shift = {0, 0, -4 * side}})},
+                      {floor, RigidMotion(Pose::Identity())});
     EXPECT_EQ(contact.status, RigidStatus::Hit);
     EXPECT_LE(contact.low, 0.5);
     EXPECT_NEAR(contact.low, 0.5, 1e-6);
-    EXPECT_TRUE(is_free(ball, RigidMotion(at(0, 0, 2.5 * side), {.shift = {0, 0, -1.5 * side}}),
-                        floor, RigidMotion(Pose::Identity())));
+    EXPECT_TRUE(is_free({ball, RigidMotion(at(0, 0, 2.5 * side), {.shift = {0, 0, -1.5 * side}})},
+                        {floor, RigidMotion(Pose::Identity())}));
   }
   const auto inside = cast(floor, {ball, at(0, 0, -0.25)}, {0, 0, 1});
   ASSERT_TRUE(inside);
@@ -57,7 +57,7 @@ TEST(PlaneMotions, APlaneThatTurnsMeetsWhatIsBeforeIt) {
   for (const double side : {1.0, -1.0}) {
     // The plane through the origin that touches the ball stands at 60 degrees, of which 90 are 1.
     const Pose pose = at(0, 2 * side, 0);
-    const RigidContact contact = first_contact(door, swing, ball, RigidMotion(pose));
+    const RigidContact contact = first_contact({door, swing}, {ball, RigidMotion(pose)});
     EXPECT_EQ(contact.status, RigidStatus::Hit);
     EXPECT_LE(contact.low, 2.0 / 3);
     EXPECT_NEAR(contact.low, 2.0 / 3, 1e-5);
@@ -87,9 +87,9 @@ TEST(PlaneMotions, SayOfWhatIsConvexWhatTheHalfSpaceBehindSays) {
                                     .axis = source.vector(-1, 1),
                                     .angle = source.uniform(-2, 2)});
     const RigidMotion rest(of_plane);
-    const RigidContact contact = first_contact(shape, motion, as_shape, rest);
-    EXPECT_EQ(contact, first_contact(shape, motion, behind, rest));
-    EXPECT_EQ(first_contact(as_shape, rest, shape, motion), contact);
+    const RigidContact contact = first_contact({shape, motion}, {as_shape, rest});
+    EXPECT_EQ(contact, first_contact({shape, motion}, {behind, rest}));
+    EXPECT_EQ(first_contact({as_shape, rest}, {shape, motion}), contact);
     met += contact.status == RigidStatus::Hit;
   }
   EXPECT_GT(met, 200);
@@ -107,16 +107,16 @@ TEST(PlaneMotions, OfAMeshInPiecesTheFirstPieceCounts) {
     EXPECT_LE(met->time, wanted);
     EXPECT_NEAR(met->time, wanted, 1e-12);
     const RigidContact contact =
-        first_contact(pieces, RigidMotion(Pose::Identity(), {.shift = {0, 0, way}}), floor,
-                      RigidMotion(Pose::Identity()));
+        first_contact({pieces, RigidMotion(Pose::Identity(), {.shift = {0, 0, way}})},
+                      {floor, RigidMotion(Pose::Identity())});
     EXPECT_EQ(contact.status, RigidStatus::Hit);
     EXPECT_LE(contact.low, wanted);
     EXPECT_NEAR(contact.low, wanted, 1e-5);
     EXPECT_GE(contact.high, wanted - 1e-9);
   }
   EXPECT_FALSE(cast(floor, pieces, {0, 0, -0.5}));
-  EXPECT_TRUE(is_free(pieces, RigidMotion(Pose::Identity(), {.shift = {0, 0, -0.5}}), floor,
-                      RigidMotion(Pose::Identity())));
+  EXPECT_TRUE(is_free({pieces, RigidMotion(Pose::Identity(), {.shift = {0, 0, -0.5}})},
+                      {floor, RigidMotion(Pose::Identity())}));
 }
 
 // In a step of the grid a small ball comes from one side of a plane to the other. What is said to
@@ -131,7 +131,7 @@ TEST(PlaneMotions, AHitIsATimeAtWhichThePlaneIsTouched) {
         const Shape ball = Sphere{{0, 0, 0}, radius};
         const RigidMotion falls(at(0.1, 0.2, 1.0 / 3), {.shift = {0, 0, -1}});
         const RigidContact contact = first_contact(
-            ball, falls, floor, still, {.clearance = clearance, .tolerance = tolerance});
+            {ball, falls}, {floor, still}, {.clearance = clearance, .tolerance = tolerance});
         ASSERT_NE(contact.status, RigidStatus::Free);
         EXPECT_LE(contact.low, 1.0 / 3);
         EXPECT_TRUE(contact.status == RigidStatus::Hit || radius < 1e-9) << contact;
@@ -146,12 +146,12 @@ TEST(PlaneMotions, AHitIsATimeAtWhichThePlaneIsTouched) {
 
 TEST(PlaneMotions, OfTwoThatTurnNothingIsSaid) {
   const Shape floor = Plane{{0, 0, 1}, 0};
-  EXPECT_THROW(first_contact(floor, RigidMotion(Pose::Identity(), {.angle = 1}),
-                             HalfSpace{{0, 0, 1}, -1}, RigidMotion(Pose::Identity())),
+  EXPECT_THROW(first_contact({floor, RigidMotion(Pose::Identity(), {.angle = 1})},
+                             {HalfSpace{{0, 0, 1}, -1}, RigidMotion(Pose::Identity())}),
                UnsupportedPairError);
   const RigidContact contact =
-      first_contact(floor, RigidMotion(Pose::Identity(), {.shift = {0, 0, -4}}),
-                    Plane{{0, 0, 1}, -1}, RigidMotion(Pose::Identity()));
+      first_contact({floor, RigidMotion(Pose::Identity(), {.shift = {0, 0, -4}})},
+                    {Plane{{0, 0, 1}, -1}, RigidMotion(Pose::Identity())});
   EXPECT_EQ(contact.status, RigidStatus::Hit);
   EXPECT_NEAR(contact.low, 0.25, 1e-6);
 }

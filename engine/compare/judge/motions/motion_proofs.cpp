@@ -80,11 +80,11 @@ RigidContact ask_library(const Case& query) {
   const RigidContactSettings settings = contact_settings(query.settings);
   if (const auto* a = std::get_if<CaseMesh>(&query.a)) {
     const auto& b = std::get<CaseMesh>(*query.b);
-    return first_contact(a->mesh, motion_of(*a), b.mesh, motion_of(b), settings);
+    return first_contact({a->mesh, motion_of(*a)}, {b.mesh, motion_of(b)}, settings);
   }
   const auto& a = std::get<CaseBody>(query.a);
   const auto& b = std::get<CaseBody>(*query.b);
-  return first_contact(a.shape, motion_of(a), b.shape, motion_of(b), settings);
+  return first_contact({a.shape, motion_of(a)}, {b.shape, motion_of(b)}, settings);
 }
 
 /// Returns the most that any point of a body goes from t = 0 to 1.
@@ -134,9 +134,9 @@ bool MotionProofs::proves_free_until(double time) const {
     // Up to the time at which the gap is the tolerance it is half of that for sure.
     settings.tolerance /= 2;
   }
-  const auto proof = certify_free(a->mesh, motion_a, b->mesh, motion_b, settings);
+  const auto proof = certify_free({a->mesh, motion_a}, {b->mesh, motion_b}, settings);
   return proof && proof->clearance >= settings.clearance &&
-         proves_freedom(*proof, a->mesh, motion_a, b->mesh, motion_b);
+         proves_freedom(*proof, {a->mesh, motion_a}, {b->mesh, motion_b});
 }
 
 /// Returns a gap that is proved at a time, or 0.

@@ -165,7 +165,7 @@ py::object body_cast(SharedWorld& shared, py::handle shape, py::handle motion, p
   const ShapeInMotions moved = asked.in_motions();  // what a mesh needs for it is made once
   if (!asked.motions.is_many()) {
     const auto found = shared.ask([&](World& world) {
-      return world.cast(moved.shape, moved.motions[0], asked.contact, asked.settings);
+      return world.cast({moved.shape, moved.motions[0]}, asked.contact, asked.settings);
     });
     return found ? cast_result(*found) : py::none();
   }
@@ -190,7 +190,7 @@ py::object body_cast_all(SharedWorld& shared, py::handle shape, py::handle motio
   if (!asked.motions.is_many()) {
     py::list all;
     for (const BodyCast& found : shared.ask([&](World& world) {
-           return world.cast_all(moved.shape, moved.motions[0], asked.contact, asked.settings);
+           return world.cast_all({moved.shape, moved.motions[0]}, asked.contact, asked.settings);
          }))
       all.append(cast_result(found));
     return all;

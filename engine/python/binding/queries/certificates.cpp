@@ -62,7 +62,7 @@ py::object certify(const Mesh& a, py::handle motion_a, const Mesh& b, py::handle
   std::optional<FreedomCertificate> found;
   {
     const py::gil_scoped_release released;
-    found = certify_free(a, course_a, b, course_b, settings, work);
+    found = certify_free({a, course_a}, {b, course_b}, settings, work);
   }
   return found ? certificate_of(std::move(*found)) : py::none();
 }
@@ -73,7 +73,7 @@ bool proves(py::handle argument, const Mesh& a, py::handle motion_a, const Mesh&
   const RigidMotion course_a = motion_from(motion_a, "motion_a");
   const RigidMotion course_b = motion_from(motion_b, "motion_b");
   const py::gil_scoped_release released;
-  return proves_freedom(certificate, a, course_a, b, course_b);
+  return proves_freedom(certificate, {a, course_a}, {b, course_b});
 }
 
 constexpr const char* kCertifyText =

@@ -63,8 +63,9 @@ py::object first_contact_of(py::handle a, py::handle motion_a, py::handle b, py:
       Batch(threads, progress), work_from(work),
       [&](const MotionQuestion& of, const RigidMotion& motion, Work* own) {
         return of.are_meshes()
-                   ? first_contact(of.a.mesh(), of.motion_a, of.b.mesh(), motion, settings, own)
-                   : first_contact(of.a.shape(), of.motion_a, of.b.shape(), motion, settings, own);
+                   ? first_contact({of.a.mesh(), of.motion_a}, {of.b.mesh(), motion}, settings, own)
+                   : first_contact({of.a.shape(), of.motion_a}, {of.b.shape(), motion}, settings,
+                                   own);
       });
   if (!question.motions_b.is_many()) return result_of(answers[0]);
   return result_of(answers);
@@ -82,8 +83,8 @@ py::object is_free_of(py::handle a, py::handle motion_a, py::handle b, py::handl
       [&](const MotionQuestion& of, const RigidMotion& motion, Work* own) {
         return static_cast<char>(
             of.are_meshes()
-                ? is_free(of.a.mesh(), of.motion_a, of.b.mesh(), motion, settings, own)
-                : is_free(of.a.shape(), of.motion_a, of.b.shape(), motion, settings, own));
+                ? is_free({of.a.mesh(), of.motion_a}, {of.b.mesh(), motion}, settings, own)
+                : is_free({of.a.shape(), of.motion_a}, {of.b.shape(), motion}, settings, own));
       });
   if (!question.motions_b.is_many()) return py::bool_(answers[0] != 0);
   return numbers_of<bool>(answers, [](char says) { return says != 0; });
@@ -98,7 +99,7 @@ py::object last_free_of(py::handle a, py::handle motion_a, py::handle b, py::han
   const auto answers = question.answers<std::optional<double>>(
       Batch(threads, progress), work_from(work),
       [&](const MotionQuestion& of, const RigidMotion& motion, Work* own) {
-        return last_free(of.a.mesh(), of.motion_a, of.b.mesh(), motion, settings, own);
+        return last_free({of.a.mesh(), of.motion_a}, {of.b.mesh(), motion}, settings, own);
       });
   if (question.motions_b.is_many()) {
     return numbers_of<double>(answers, [](const auto& time) {

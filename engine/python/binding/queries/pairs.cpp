@@ -51,14 +51,22 @@ py::object intersects_of(py::handle a, py::handle b, py::handle hit_word,
   return answers;
 }
 
-TrianglePairs ask_pairs(const PlacedPair& pair, std::size_t index, const PairSettings& settings,
-                        PairMemory* memory, Work* work) {
+TrianglePairs ask_pairs(const PlacedPair& pair, std::size_t index,
+                        const MemoryPairSettings& settings, PairMemory* memory, Work* work) {
   const PlacedMeshView a = pair.a.mesh_at(index);
   const PlacedMeshView b = pair.b.mesh_at(index);
-  if (memory == nullptr) return find_triangle_pairs(a, b, settings, work);
-  return find_triangle_pairs(
-      a, b, *memory,
-      {.limit = settings.limit, .touch = settings.touch, .threads = settings.threads}, work);
+  if (memory != nullptr) return find_triangle_pairs(a, b, *memory, settings, work);
+  return find_triangle_pairs(a, b, {.limit = settings.limit, .touch = settings.touch}, work);
+}
+
+/// Asks about the one pose of a pair. Threads share the query where there is no limit.
+TrianglePairs ask_one_pair(const PlacedPair& pair, const MemoryPairSettings& settings, int threads,
+                           PairMemory* memory, Work* work) {
+  if (threads == 1 || settings.limit != kNoLimit) return ask_pairs(pair, 0, settings, memory, work);
+  const SharedPairSettings shared{.touch = settings.touch, .threads = threads};
+  const PlacedMeshView a = pair.a.mesh_at(0), b = pair.b.mesh_at(0);
+  return memory != nullptr ? find_triangle_pairs(a, b, *memory, shared, work)
+                           : find_triangle_pairs(a, b, shared, work);
 }
 
 /// Returns lists one behind the other, and where each begins.
@@ -94,16 +102,16 @@ py::object pairs_of(py::handle a, py::handle b, py::handle limit, py::handle tou
   static const ResultType kType("TrianglePairs");
   const PlacedPair pair(a, b);
   pair.require_meshes("find_triangle_pairs");
-  PairSettings settings{.limit = limit_from(limit), .touch = touch_from(touch)};
+  const MemoryPairSettings settings{.limit = limit_from(limit), .touch = touch_from(touch)};
   Work* work = work_from(work_argument);
   LockedMemory memory(memory_argument, pair);
   if (!pair.is_many()) {
-    settings.threads = Batch(threads, progress).threads;
+    const int most = Batch(threads, progress).threads;
     TrianglePairs found;
     {
       const py::gil_scoped_release released;
       const auto lock = memory.lock();
-      ask_and_blame([&] { found = ask_pairs(pair, 0, settings, memory.get(), work); },
+      ask_and_blame([&] { found = ask_one_pair(pair, settings, most, memory.get(), work); },
                     [&] { pair.check_poses(); });
     }
     return kType(array_over<std::uint32_t>(std::move(found.pairs), 2),

@@ -106,7 +106,7 @@ TEST_F(CliCompareMotions, AFolderOfCasesIsJudgedWithWhatItRecords) {
   const RigidMotion rests{Pose::Identity()};
   const RigidMotion comes(Pose(Eigen::Translation3d(3, 0, 0)), {.shift = {-2, 0, 0}});
   Case query = to_case(case_mesh(cube, rests), case_mesh(cube, comes),
-                       first_contact(cube, rests, cube, comes));
+                       first_contact({cube, rests}, {cube, comes}));
   write_case(folder / "met.json", query);
   query.answer->low = query.answer->high = 0.75;
   query.answered_by = {"somebody", "1"};
