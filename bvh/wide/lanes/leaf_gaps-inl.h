@@ -28,21 +28,47 @@ HWY_INLINE hn::Vec<AnyTag> beyond_plane(const Heights<AnyTag>& heights,
   return hn::Div(gap, hn::Sqrt(hn::Add(square, hn::Set(tag, kWideUnderflow))));
 }
 
+/// Which interval each primitive of a leaf takes up along a direction.
+struct LeafAlong {
+  alignas(16) float start[4];
+  alignas(16) float end[4];
+
+  HWY_INLINE void set(const LeafLanes& leaf, const float (&direction)[3]) {
+    const FourTag tag;
+    for (std::size_t part = 0; part < 4; part += hn::Lanes(tag)) {
+      Four least, most;
+      for (int c = 0; c < 3; ++c) {
+        const auto at = [&](int i) HWY_ATTR { return hn::Load(tag, leaf.corner[c][i] + part); };
+        const Four along = hn::MulAdd(at(0), hn::Set(tag, direction[0]),
+                                      hn::MulAdd(at(1), hn::Set(tag, direction[1]),
+                                                 hn::Mul(at(2), hn::Set(tag, direction[2]))));
+        least = c == 0 ? along : hn::Min(least, along);
+        most = c == 0 ? along : hn::Max(most, along);
+      }
+      hn::Store(least, tag, start + part);
+      hn::Store(most, tag, end + part);
+    }
+  }
+};
+
+/// Lower bounds of the squared distances of pairs along a direction from the tested primitives to
+/// the query's.
 template <typename AnyTag>
-HWY_INLINE hn::Vec<AnyTag> along(AnyTag tag, const float (&direction)[3],
-                                 const hn::Vec<AnyTag> (&p)[3]) {
-  return hn::MulAdd(
-      p[0], hn::Set(tag, direction[0]),
-      hn::MulAdd(p[1], hn::Set(tag, direction[1]), hn::Mul(p[2], hn::Set(tag, direction[2]))));
+HWY_INLINE hn::Vec<AnyTag> squared_gaps_along(AnyTag tag, const PairLanes<AnyTag>& lanes,
+                                              const LeafAlong& tested, const LeafAlong& query,
+                                              float leaf_error, float unit_of_tested) {
+  // Along a unit vector an error in each of three coordinates counts 1.74 times, that of the
+  // products once more.
+  const auto gap = hn::Sub(hn::Sub(lanes.query(query.start), lanes.tested(tested.end)),
+                           hn::Set(tag, 4 * leaf_error));
+  const auto step = hn::Mul(known(tag, gap), hn::Set(tag, unit_of_tested));
+  return hn::Mul(step, step);
 }
 
-/// Lower bounds of the squared distances of pairs: along a direction, and by boxes along the axes
-/// of the tested node's tree.
+/// The same by boxes along the axes of the tested node's tree.
 template <typename AnyTag>
 HWY_INLINE hn::Vec<AnyTag> squared_box_gaps(AnyTag tag, const PairBoxes<AnyTag>& boxes,
-                                            const PairTriangles<AnyTag>& triangles,
-                                            float leaf_error, const float (&direction)[3],
-                                            float unit_of_tested) {
+                                            float leaf_error, float unit_of_tested) {
   const auto unit = hn::Set(tag, unit_of_tested);
   const auto error = hn::Set(tag, leaf_error);
   auto of_boxes = hn::Zero(tag);
@@ -50,19 +76,7 @@ HWY_INLINE hn::Vec<AnyTag> squared_box_gaps(AnyTag tag, const PairBoxes<AnyTag>&
     const auto step = hn::Mul(known(tag, hn::Sub(boxes.gap[i], error)), unit);
     of_boxes = hn::MulAdd(step, step, of_boxes);
   }
-  const auto& tested = triangles.tested;
-  const auto& query = triangles.query;
-  auto end = along(tag, direction, tested.corner[0]);
-  auto start = along(tag, direction, query.corner[0]);
-  for (int c = 1; c < 3; ++c) {
-    end = hn::Max(end, along(tag, direction, tested.corner[c]));
-    start = hn::Min(start, along(tag, direction, query.corner[c]));
-  }
-  // Along a unit vector an error in each of three coordinates counts 1.74 times, that of the
-  // products once more.
-  const auto gap = known(tag, hn::Sub(hn::Sub(start, end), hn::Mul(error, hn::Set(tag, 4.0f))));
-  const auto step = hn::Mul(gap, unit);
-  return hn::Max(of_boxes, hn::Mul(step, step));
+  return of_boxes;
 }
 
 /// The same by the planes of both.

@@ -48,25 +48,22 @@ struct alignas(32) AlignedLeaf {
 /// aligned anew when it is met.
 class AlignedNodes {
  public:
-  struct Entry {
-    const WideNode* node;
-    AlignedNode boxes;
-  };
-
-  void clear() {
-    for (Entry& entry : entries_)
-      entry.node = nullptr;
-  }
+  /// Sets aside what there is: only the places are marked, which are apart from the boxes.
+  void clear() { nodes_.fill(nullptr); }
 
   /// Where this node is, or belongs.
-  Entry& entry_of(const WideNode* node) {
-    return entries_[(std::hash<const WideNode*>()(node) / sizeof(WideNode)) % kRoom];
+  std::size_t place_of(const WideNode* node) const {
+    return (std::hash<const WideNode*>()(node) / sizeof(WideNode)) % kRoom;
   }
+
+  const WideNode*& node_at(std::size_t place) { return nodes_[place]; }
+  AlignedNode& boxes_at(std::size_t place) { return boxes_[place]; }
 
  private:
   static constexpr std::size_t kRoom = 128;
 
-  std::array<Entry, kRoom> entries_;
+  std::array<const WideNode*, kRoom> nodes_;
+  std::array<AlignedNode, kRoom> boxes_;
 };
 
 }  // namespace graze::bvh

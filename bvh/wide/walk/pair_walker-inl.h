@@ -57,10 +57,12 @@ HWY_INLINE std::uint32_t smaller_lanes(const WideNode& node, float size) {
 /// is followed before the others are looked at.
 constexpr int kMostAtATime = 3;
 
-/// A step ends when leaves were left with more pairs than these: what it has not looked at waits.
-/// They are counted before it is known which of them cross, so that the order of the walk does not
-/// depend on what rounding leaves unsure.
-constexpr std::size_t kMostSeen = 8;
+/// How many pairs a step leaves off after, where it has so much room.
+constexpr std::size_t most_seen_in(std::size_t room) {
+  return std::min(room - WidePairWalk::kMostAtOnce, std::size_t{WidePairWalk::kMostSeen});
+}
+static_assert(most_seen_in(WidePairWalk::kOneStep) == WidePairWalk::kMostSeen,
+              "a walk takes the same steps with any room for one");
 
 /// What a walk looks for: all pairs, or any one, which ends it.
 enum class Goal { AllPairs, AnyPair };
@@ -73,7 +75,7 @@ class Walker {
       : state_(state),
         found_(found),
         counts_(counts),
-        most_seen_(kIsAny ? 0 : std::min(found.size() - WidePairWalk::kMostAtOnce, kMostSeen)),
+        most_seen_(kIsAny ? 0 : most_seen_in(found.size())),
         scale_b_(static_cast<float>(state.into[0].scale)) {}
 
   /// All pairs that there is room for.

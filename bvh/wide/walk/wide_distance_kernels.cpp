@@ -8,6 +8,7 @@
 #include <graze/bvh/wide/lanes/query_box-inl.h>
 #include <graze/bvh/wide/lanes/query_gaps-inl.h>
 #include <graze/bvh/wide/walk/aligned_node-inl.h>
+#include <graze/bvh/wide/walk/child_order-inl.h>
 #include <graze/bvh/wide/walk/nearest_direction-inl.h>
 #include <graze/bvh/wide/walk/wide_distance_walk.h>
 #include <hwy/highway.h>
@@ -85,7 +86,7 @@ class Walker {
     if (ChildLink::is_leaf(link_a) && ChildLink::is_leaf(link_b)) {
       const WideTree::Treelet& treelet_a = state_.tree[0]->treelet(pair.a.treelet);
       const WideTree::Treelet& treelet_b = state_.tree[1]->treelet(pair.b.treelet);
-      set_query_leaf(query_leaf_, treelet_b, link_b, treelet_a, state_.into[0]);
+      set_query_along(0, treelet_b, link_b, treelet_a);
       compare_leaves(0, treelet_a, link_a, treelet_b, link_b);
       return;
     }
@@ -118,13 +119,14 @@ class Walker {
       query_child_ = query;
       query_side_ = 1 - tested_side;
     }
-    set_query_in_node(in_node_, query_, node, transform.slack + kComparisonError * size_of(tested));
-    set_promises(promises_, node, in_node_,
-                 aim_of(node, in_node_, query_, state_.direction[tested_side]),
-                 state_.units[tested_side]);
+    QueryInNode in_node;
+    set_query_in_node(in_node, query_, node, transform.slack + kComparisonError * size_of(tested));
     if (is_aligned) {
-      for (std::uint32_t lane = 0; lane < WideNode::kWidth; ++lane)
-        promises_.bound[lane] = std::max(promises_.bound[lane], aligned_bounds_[lane]);
+      set_promises_beside(promises_, aligned_bounds_, node, in_node, state_.units[tested_side]);
+    } else {
+      set_promises(promises_, node, in_node,
+                   aim_of(node, in_node, query_, state_.direction[tested_side]),
+                   state_.units[tested_side]);
     }
     near = not_beyond(node.lanes(), promises_.bound, limit_);
     counts_.box_rejections += node.count - static_cast<std::uint32_t>(std::popcount(near));
@@ -139,11 +141,9 @@ class Walker {
     near = now;
     if (ChildLink::is_leaf(query_link))
       near &= ~compare_leaves_below(tested_side, below, query, query_link, near);
-    while (near != 0) {
-      const std::uint32_t lane = farthest(near, promises_.key);
-      near &= ~(1u << lane);
-      state_.open.push(child_with(lane));
-    }
+    ChildOrder order(near, promises_.key);
+    for (int count = std::popcount(near); count > 0; --count)
+      state_.open.push(child_with(order.take_farthest()));
   }
 
   /// Compares the leaves among these children with the query box's leaf, nearer ones first: each
@@ -156,8 +156,7 @@ class Walker {
     if (leaves == 0) return 0;
     const WideTree::Treelet& tested_treelet = state_.tree[tested_side]->treelet(below.treelet);
     const WideTree::Treelet& query_treelet = state_.tree[1 - tested_side]->treelet(query.treelet);
-    set_query_leaf(query_leaf_, query_treelet, query_link, tested_treelet,
-                   state_.into[tested_side]);
+    set_query_along(tested_side, query_treelet, query_link, tested_treelet);
     for (std::uint32_t rest = leaves; rest != 0;) {
       const std::uint32_t lane = nearest(rest, promises_.key);
       rest &= ~(1u << lane);
@@ -165,18 +164,6 @@ class Walker {
       compare_leaves(tested_side, tested_treelet, node.child[lane], query_treelet, query_link);
     }
     return leaves;
-  }
-
-  /// Which of these lanes' bounds are not beyond a limit.
-  HWY_INLINE std::uint32_t not_beyond(std::uint32_t lanes, const float (&bounds)[WideNode::kWidth],
-                                      float limit) {
-    const Tag tag;
-    std::uint32_t beyond = 0;
-    for (std::size_t part = 0; part < WideNode::kWidth; part += hn::Lanes(tag)) {
-      const auto values = hn::Load(tag, bounds + part);
-      beyond |= bits_of(tag, hn::Gt(values, hn::Set(tag, limit))) << part;
-    }
-    return lanes & ~beyond;
   }
 
   /// Whether boxes are compared along shared axes: where a walk is soon over it does not pay.
@@ -190,12 +177,20 @@ class Walker {
   }
 
   HWY_INLINE const AlignedNode& aligned(int side, const WideChildRef& child) {
-    AlignedNodes::Entry& entry = state_.aligned[side].entry_of(child.node);
-    if (entry.node != child.node) {
-      set_aligned_node(entry.boxes, *state_.tree[side], child, state_.aligned_transform[side]);
-      entry.node = child.node;
+    AlignedNodes& nodes = state_.aligned[side];
+    const std::size_t place = nodes.place_of(child.node);
+    AlignedNode& boxes = nodes.boxes_at(place);
+    if (nodes.node_at(place) != child.node) {
+      set_aligned_node(boxes, *state_.tree[side], child, state_.aligned_transform[side]);
+      nodes.node_at(place) = child.node;
     }
-    return entry.boxes;
+    return boxes;
+  }
+
+  HWY_INLINE void set_query_along(int tested_side, const WideTree::Treelet& query,
+                                  std::uint32_t link, const WideTree::Treelet& tested) {
+    set_query_leaf(query_leaf_, query, link, tested, state_.into[tested_side]);
+    query_along_.set(query_leaf_, state_.direction[tested_side]);
   }
 
   HWY_INLINE void compare_leaves(int tested_side, const WideTree::Treelet& tested,
@@ -208,6 +203,7 @@ class Walker {
     const float unit = state_.units[tested_side];
     const std::size_t begin = size_;
     set_tested_leaf(tested_leaf_, tested, tested_link);
+    tested_along_.set(tested_leaf_, state_.direction[tested_side]);
     const std::uint32_t pairs = pairs_of(count, queries);
     counts_.primitive_tests += static_cast<std::uint32_t>(std::popcount(pairs));
     lower_limit_to(set_pairs(tested_side, pairs), unit);
@@ -234,14 +230,18 @@ class Walker {
     auto least = hn::Set(tag, std::numeric_limits<float>::infinity());
     for (std::size_t part = 0; part < kLeafPairs; part += hn::Lanes(tag)) {
       const PairLanes<PairTag> lanes(part);
+      const auto are_near = [&](hn::Vec<PairTag> bounds) HWY_ATTR {
+        hn::Store(bounds, tag, bounds_ + part);
+        const auto is_beyond = hn::Gt(bounds, hn::Set(tag, limit_));
+        return pairs >> part & ~bits_of(tag, is_beyond) & ((1u << hn::Lanes(tag)) - 1);
+      };
+      const auto along = squared_gaps_along(tag, lanes, tested_along_, query_along_, error, unit);
+      if (are_near(along) == 0) continue;
       const PairBoxes<PairTag> boxes(lanes, tested_leaf_, query_leaf_);
+      const auto bounds = hn::Max(along, squared_box_gaps(tag, boxes, error, unit));
+      const std::uint32_t near = are_near(bounds);
+      if (near == 0) continue;
       const PairTriangles<PairTag> triangles(lanes, tested_leaf_, query_leaf_);
-      const auto bounds =
-          squared_box_gaps(tag, boxes, triangles, error, state_.direction[tested_side], unit);
-      hn::Store(bounds, tag, bounds_ + part);
-      const auto is_beyond = hn::Gt(bounds, hn::Set(tag, limit_));
-      const std::uint32_t near = pairs >> part & ~bits_of(tag, is_beyond);
-      if ((near & ((1u << hn::Lanes(tag)) - 1)) == 0) continue;
       hn::Store(hn::Max(bounds, squared_plane_gaps(tag, boxes, triangles, error, unit)), tag,
                 bounds_ + part);
       const auto corners = squared_corners(tag, triangles);
@@ -303,9 +303,10 @@ class Walker {
   Query query_{};
   WideChildRef query_child_{};  ///< whose box query_ is
   int query_side_ = -1;         ///< of its tree; -1 as long as there is none
-  QueryInNode in_node_;
   LeafLanes tested_leaf_;
   QueryLeaf query_leaf_;
+  LeafAlong tested_along_;
+  LeafAlong query_along_;
   alignas(64) float bounds_[kLeafPairs];
   NearPairs near_;
   Promises promises_;

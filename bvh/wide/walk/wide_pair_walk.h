@@ -41,8 +41,16 @@ class WidePairWalk {
   /// One step may find as many pairs: next() stops when there might not be room for these.
   static constexpr std::size_t kMostAtOnce =
       WideNode::kWidth * ChildLink::kMaxLeafSize * ChildLink::kMaxLeafSize;
+  /// A step ends when leaves were left with more pairs than these: what it has not looked at waits.
+  /// They are counted before it is known which of them cross, so that the order of the walk does
+  /// not depend on what rounding leaves unsure.
+  static constexpr std::size_t kMostSeen = 8;
   /// Room for the pairs of several steps: pairs of different leaves are decided together.
   static constexpr std::size_t kMany = 2 * kMostAtOnce;
+  /// Room for what waits to be decided before a step, for the step, and for as many pairs as let
+  /// the next one begin: with less its steps would be shorter.
+  static constexpr std::size_t kOneStep = kMostSeen + kMostAtOnce + kMostSeen;
+  static_assert(kOneStep <= kMany);
 
   /// How tree B lies in tree A and how A lies in B, each with its slack (law 5).
   WidePairWalk(const WideTree& tree_a, const WideTree& tree_b, const RelativeFrame& b_in_a,
@@ -51,10 +59,10 @@ class WidePairWalk {
   /// The next pairs; none when there are no more.
   std::size_t next(std::span<FoundPair> found);
 
-  /// For a query that is over with the first pair: now and then, each time after twice as many
-  /// steps, what waits longest is looked at next, because a walk into a place where surfaces nearly
-  /// coincide but do not meet may be long while others meet nearby. Which pair comes first then may
-  /// differ between SIMD targets.
+  /// For a query that is over with the first pair: before the 16th pair that it compares, and then
+  /// each time after twice as many, what waits longest and what was to be next change places. A
+  /// walk into a place where surfaces nearly coincide but do not meet may be long while others meet
+  /// nearby. Which pair comes first then may differ between SIMD targets.
   void look_elsewhere() { state_.steps_left = state_.patience = kPatience; }
 
   /// Two children that wait to be compared: what lies below them is a walk of its own.
@@ -96,12 +104,12 @@ class WidePairWalk {
     TreeTransform into[2];  ///< by the side of the tested node: of query boxes of the other tree
     TraversalStack<Waiting, 192> open;
     std::optional<PlacePair> last_near;
-    std::uint32_t patience = 0;    ///< steps until the walk looks elsewhere
+    std::uint32_t patience = 0;    ///< pairs until the walk looks elsewhere
     std::uint32_t steps_left = 0;  ///< of these; 0 if it never does
   };
 
  private:
-  static constexpr std::uint32_t kPatience = 16;  ///< steps before it first looks elsewhere
+  static constexpr std::uint32_t kPatience = 16;  ///< pairs before it first looks elsewhere
 
   WidePairWalk(const WideTree* const (&trees)[2], const TreeTransform (&transforms)[2])
       : state_(trees, transforms) {}

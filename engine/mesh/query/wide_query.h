@@ -134,11 +134,8 @@ struct WideQuery {
   template <typename OnPair>
   bvh::Walk decide_each_step(bvh::WidePairWalk& walk, Candidates& candidates,
                              OnPair&& on_pair) const {
-    // A walk takes the same steps whatever room there is, and mostly stops after each of them where
-    // it is hardly more than what one may find. It holds up to eight pairs before a step and eight
-    // after it: with less room its steps would be shorter.
-    constexpr std::size_t kOneStep = bvh::WidePairWalk::kMostAtOnce + 16;
-    bvh::FoundPair found[kOneStep];
+    // The walk mostly stops after each of its steps where there is hardly more room than for one.
+    bvh::FoundPair found[bvh::WidePairWalk::kOneStep];
     while (const std::size_t count = walk.next(found)) {
       if (decide_found({found, count}, candidates, on_pair) == bvh::Walk::Stop)
         return bvh::Walk::Stop;
