@@ -15,6 +15,15 @@ using narrowphase::Core;
 using narrowphase::Vec3;
 using Mark = VertexMarks::Mark;
 
+namespace {
+
+// Heights of ends of crossings over a part's origin are off by less than this share of the largest
+// coordinate: two heights of three products each by 2^-49 of it. A part may be smaller than that
+// by far.
+constexpr double kRounding = 0x1p-48;
+
+}  // namespace
+
 void VertexMarks::start(std::size_t vertices) {
   if (marks_.size() < vertices) marks_.resize(vertices, 0);
   if (round_ > std::numeric_limits<std::uint32_t>::max() - 8) {
@@ -133,6 +142,11 @@ void InnerSurface::start(const std::vector<EdgeCrossing>& edges, LoopGroups& gro
   const auto is_same = [&](std::size_t i, std::size_t j) {
     return edges[i].low == edges[j].low && edges[i].high == edges[j].high;
   };
+  // What of an edge lies inside between two crossings connects their loops.
+  for (std::size_t i = 1; i < edges.size(); ++i) {
+    if (is_same(i, i - 1) && edges[i - 1].is_entry && !edges[i].is_entry)
+      groups.join(edges[i - 1].loop, edges[i].loop);
+  }
   // Vertices that are outside by any crossing are marked before those that are inside by another.
   for (const bool takes_inside : {false, true}) {
     for (std::size_t i = 0; i < edges.size(); ++i) {
@@ -224,7 +238,9 @@ void InnerSurface::open(std::uint32_t piece, std::size_t point, const Vec3& dire
 void InnerSurface::open_curves(std::uint32_t piece, const Vec3& direction, double most) {
   const InnerPart& part = parts_[piece];
   ++climb_;
-  const double same = kSameHeight * part.radius, offset = dot(part.at, direction);
+  const double same =
+      std::max(kSameHeight * part.radius, kRounding * (largest(part.at) + part.radius));
+  const double offset = dot(part.at, direction);
   for (const MeshCrossing& crossing : crossings_of(piece)) {
     const double end = std::max(dot(crossing.from, direction), dot(crossing.to, direction));
     if (end - offset < most - same) continue;

@@ -85,6 +85,25 @@ std::span<const MeshCrossing> MeshPieces::crossings(std::uint32_t piece) const {
   return std::span(found_.crossings).subspan(begin, ends_[piece] - begin);
 }
 
+bool MeshPieces::is_left_one_way(std::uint32_t piece) const {
+  constexpr double kAlong = 0.9994;  // the cosine of 2 degrees
+  constexpr double kNearlyAll = 0.9;
+  const Vec3 about = outlines_[piece].normal();
+  Vec3 way = about;
+  double nearest = 0;
+  const auto offer = [&](const Vec3& normal) {
+    if (dot(normal, about) > nearest) nearest = dot(normal, about), way = normal;
+  };
+  for (const MeshCrossing& crossing : crossings(piece))
+    offer(crossing.normal_a), offer(-crossing.normal_b);
+  double along = 0;
+  for (const MeshCrossing& crossing : crossings(piece)) {
+    if (dot(crossing.normal_a, way) > kAlong || -dot(crossing.normal_b, way) > kAlong)
+      along += length(crossing.to - crossing.from);
+  }
+  return along > kNearlyAll * outlines_[piece].around;
+}
+
 double MeshPieces::larger() const {
   const auto size = [](const Mesh& mesh) {
     return (mesh.bounds().max - mesh.bounds().min).squaredNorm();

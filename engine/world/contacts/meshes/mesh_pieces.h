@@ -47,6 +47,9 @@ class MeshPieces {
   std::uint32_t count() const { return found_.pieces; }
   std::span<const MeshCrossing> crossings(std::uint32_t piece) const;
   const Outline& outline(std::uint32_t piece) const { return outlines_[piece]; }
+  /// True if nearly all along the curves of a piece a face of one mesh or the other looks one way,
+  /// as where a wide body lies across a narrow one: the top of the one or the bottom of the other.
+  bool is_left_one_way(std::uint32_t piece) const;
   InnerPart& inner_a(std::uint32_t piece) { return inner_a_.part(piece); }
   InnerPart& inner_b(std::uint32_t piece) { return inner_b_.part(piece); }
   InnerSurface& surface(InnerSide side) { return side == InnerSide::OfA ? inner_a_ : inner_b_; }

@@ -66,6 +66,8 @@ void PieceExits::enter(std::uint32_t piece) {
   const double most = crossings.size() > kFew ? 0.8 : 0.7;
   is_wrapped_ =
       !is_left_whole_[piece] && outline.together(true) < most && outline.together(false) < most;
+  // Of few triangles the best way is found either way.
+  if (is_wrapped_ && crossings.size() > kFew) is_wrapped_ = !pieces_->is_left_one_way(piece);
   if (is_wrapped_) facets_.start(crossings, surface(true), surface(false));
 }
 
