@@ -56,8 +56,8 @@ struct PairSettings {
 /// The settings of find_triangle_pairs() that threads share. All pairs are found, always by
 /// PairVolume::WideObb: which pairs come first is for one thread to say, so that there is no limit.
 struct SharedPairSettings {
+  int threads = 0;               ///< how many threads share the query at most; 0 means all
   Touch touch = Touch::Include;  ///< the pairs that count
-  int threads = 0;               ///< how many threads share the query at most, as in batches all
 };
 
 /// The settings of find_triangle_pairs() with a PairMemory.

@@ -6,6 +6,7 @@
 #include <graze/engine/work.h>
 
 #include <cstdint>
+#include <initializer_list>
 #include <optional>
 #include <span>
 #include <utility>
@@ -84,6 +85,7 @@ struct MeshInMotions {
   /// Refers to the motions.
   MeshInMotions(Mesh of_mesh, std::span<const RigidMotion> in_motions)
       : mesh(std::move(of_mesh)), motions(in_motions) {}
+  MeshInMotions(Mesh, std::initializer_list<RigidMotion>) = delete;  // they would not outlive it
 
   Mesh mesh;                             ///< a handle
   std::span<const RigidMotion> motions;  ///< must outlive this

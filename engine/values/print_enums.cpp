@@ -1,7 +1,10 @@
 #include <graze/engine/values/text.h>
 #include <graze/print.h>
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <ostream>
 #include <string_view>
 
@@ -13,6 +16,13 @@ template <std::size_t N, typename Enum>
 std::ostream& write_name(std::ostream& out, Enum value, const std::string_view (&names)[N]) {
   const auto index = static_cast<std::size_t>(value);
   return out << (index < N ? Text(names[index]) : Text("no enumerator: ", std::uint64_t{index}));
+}
+
+/// Writes the name of an enumerator as name_of() says it, which refuses what is none.
+template <typename Enum, std::size_t N>
+std::ostream& write_name_of(std::ostream& out, Enum value, const std::array<Enum, N>& all) {
+  if (std::find(all.begin(), all.end(), value) != all.end()) return out << Text(name_of(value));
+  return out << Text("no enumerator: ", static_cast<std::uint64_t>(value));
 }
 
 }  // namespace
@@ -82,13 +92,13 @@ std::ostream& operator<<(std::ostream& out, Drawn value) {
   return write_name(out, value, {"shape", "box", "contact", "island"});
 }
 std::ostream& operator<<(std::ostream& out, Volume value) {
-  return out << Text(name_of(value));
+  return write_name_of(out, value, kVolumes);
 }
 std::ostream& operator<<(std::ostream& out, PairVolume value) {
-  return out << Text(name_of(value));
+  return write_name_of(out, value, kPairVolumes);
 }
 std::ostream& operator<<(std::ostream& out, ShapeKind value) {
-  return out << Text(name_of(value));
+  return write_name_of(out, value, kShapeKinds);
 }
 
 }  // namespace graze

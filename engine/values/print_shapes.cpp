@@ -71,6 +71,7 @@ std::ostream& operator<<(std::ostream& out, const Filter& filter) {
   return filter.group == 0 ? out : out << Text(", group ", std::to_string(filter.group));
 }
 std::ostream& operator<<(std::ostream& out, const BoxGap& gap) {
+  if (!(gap.gap > 0)) return out << Text("no gap");
   return out << Text("gap ", gap.gap, " in ",
                      std::string_view("xyz").substr(static_cast<std::size_t>(gap.axis), 1),
                      gap.is_a_below ? ", A below" : ", B below");

@@ -93,8 +93,11 @@ std::ostream& operator<<(std::ostream& out, const TrianglePath& path) {
 }
 std::ostream& operator<<(std::ostream& out, const ErrorPlace& place) {
   Text text(place.file);
-  if (place.line) text.add(":"), text.add(std::uint64_t{*place.line});
-  if (place.byte) text.add(": byte "), text.add(std::uint64_t{*place.byte});
+  if (place == ErrorPlace{}) text.add("nowhere known");
+  if (place.line)
+    text.add(text.str().empty() ? "line " : ":"), text.add(std::uint64_t{*place.line});
+  if (place.byte)
+    text.add(text.str().empty() ? "byte " : ": byte "), text.add(std::uint64_t{*place.byte});
   if (!place.element.empty()) text.add(text.str().empty() ? "" : ": "), text.add(place.element);
   if (place.index) text.add(" "), text.add(std::uint64_t{*place.index});
   return out << text;

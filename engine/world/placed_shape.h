@@ -21,20 +21,22 @@ struct PlacedShape {
 };
 
 /// The argument of queries: a shape in a pose, made of a PlacedShape or within the call itself, as
-/// in `distance({Box{{1, 1, 1}}}, {hull, pose})`. It refers to shapes and poses that have names,
-/// which must outlive it, and holds those that have none, so that it may be kept. Code that keeps a
-/// placed shape keeps a PlacedShape.
+/// in `distance({Box{{1, 1, 1}}}, {hull, pose})`. It refers to a Shape or a Pose that has a name,
+/// which must outlive it, and holds one that has none, and what it has made a Shape of. Code that
+/// keeps a placed shape keeps a PlacedShape.
 struct PlacedShapeView {
   // NOLINTBEGIN(google-explicit-constructor): queries are asked about shapes and placed shapes
   /// Takes a shape in its own frame, a shape in a pose, or a PlacedShape.
   PlacedShapeView(const Shape& of_shape);
   PlacedShapeView(Shape&& of_shape);
   PlacedShapeView(const Shape& of_shape, const Pose& in_pose) : shape(of_shape), pose(in_pose) {}
-  PlacedShapeView(const Shape& of_shape, Pose&& in_pose)
+  // Eigen returns poses such as Pose::Identity() as constants, which would be taken by reference
+  // if these took Pose&&.
+  PlacedShapeView(const Shape& of_shape, const Pose&& in_pose)
       : held_pose_(in_pose), shape(of_shape), pose(*held_pose_) {}
   PlacedShapeView(Shape&& of_shape, const Pose& in_pose)
       : held_shape_(std::move(of_shape)), shape(*held_shape_), pose(in_pose) {}
-  PlacedShapeView(Shape&& of_shape, Pose&& in_pose)
+  PlacedShapeView(Shape&& of_shape, const Pose&& in_pose)
       : held_shape_(std::move(of_shape)),
         held_pose_(in_pose),
         shape(*held_shape_),
@@ -50,7 +52,7 @@ struct PlacedShapeView {
       : held_shape_(std::in_place, of_kind), shape(*held_shape_), pose(in_pose) {}
   template <typename Kind>
   requires(!std::is_same_v<Kind, Shape> && std::is_convertible_v<const Kind&, Shape>)
-      PlacedShapeView(const Kind& of_kind, Pose&& in_pose)
+      PlacedShapeView(const Kind& of_kind, const Pose&& in_pose)
       : held_shape_(std::in_place, of_kind),
         held_pose_(in_pose),
         shape(*held_shape_),

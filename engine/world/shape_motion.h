@@ -6,7 +6,8 @@
 namespace graze {
 
 /// A shape in rigid motion, as the argument of queries: `first_contact({Box{{1, 1, 1}}, rest},
-/// {hull, path})`. It is a value, as a Shape is.
+/// {hull, path})`. It is a value, as a Shape is. Of a MeshInMotion one is made in braces, as of any
+/// shape: `{part.mesh, part.motion}`.
 struct ShapeInMotion {
   Shape shape;         ///< a handle, where it is a hull or a mesh
   RigidMotion motion;  ///< where the shape is from t = 0 to 1

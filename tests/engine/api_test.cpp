@@ -61,13 +61,19 @@ TEST(Api, ViewsOfShapesHoldWhatHasNoName) {
   const graze::PlacedShapeView copy = kept;
   const graze::PlacedShapeView of_placed = graze::PlacedShape{kept.shape, kept.pose};
   const graze::PlacedShapeView alone = graze::Shape(graze::Box{{1, 2, 3}});
+  const graze::Pose half(Eigen::Translation3d(2, 2.5, 3));
+  const graze::Shape box(graze::Box{{1, 2, 3}});
+  const graze::PlacedShapeView of_product(box, half * half),
+      of_both(graze::Box{{1, 2, 3}}, half * half);
+  const graze::PlacedShapeView in_own_frame(box, graze::Pose::Identity());
   EXPECT_LT(overwritten(20), 0);
-  for (const graze::PlacedShapeView* view : {&kept, &copy, &of_placed}) {
+  for (const graze::PlacedShapeView* view : {&kept, &copy, &of_placed, &of_product, &of_both}) {
     EXPECT_EQ(view->shape, graze::Shape(graze::Box{{1, 2, 3}}));
     EXPECT_EQ(view->pose.translation(), Eigen::Vector3d(4, 5, 6));
   }
   EXPECT_EQ(alone.shape, kept.shape);
   EXPECT_EQ(alone.pose.translation(), Eigen::Vector3d(0, 0, 0));
+  EXPECT_EQ(in_own_frame.pose.translation(), Eigen::Vector3d(0, 0, 0));
   const graze::Shape named = graze::Sphere{{0, 0, 0}, 1};
   const graze::Pose pose = graze::Pose::Identity();
   const graze::PlacedShapeView refers{named, pose};

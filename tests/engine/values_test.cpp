@@ -147,6 +147,9 @@ TEST(Values, ShapesAndMotionsAsText) {
   EXPECT_EQ(text_of(MeshSides::solid()), "solid");
   EXPECT_EQ(text_of(Filter{1, 6, -2}), "categories 1, mask 6, group -2");
   EXPECT_EQ(text_of(BoxGap{0.5, 1, true}), "gap 0.5 in y, A below");
+  EXPECT_EQ(text_of(BoxGap{0, 0, false}), "no gap");
+  EXPECT_EQ(text_of(ErrorPlace{}), "nowhere known");
+  EXPECT_EQ(text_of(ErrorPlace{.line = 3}), "line 3");
   EXPECT_EQ(text_of(ErrorPlace{.file = "a.obj", .line = 3}), "a.obj:3");
   EXPECT_EQ(text_of(ErrorPlace{.element = "pose", .index = 2}), "pose 2");
 }
@@ -180,6 +183,9 @@ TEST(Values, EnumeratorsAsText) {
   EXPECT_EQ(text_of(PairVolume::WideObb), "wide");
   EXPECT_EQ(text_of(ShapeKind::ConvexHull), name_of(ShapeKind::ConvexHull));
   EXPECT_EQ(text_of(static_cast<Role>(7)), "no enumerator: 7");
+  EXPECT_EQ(text_of(static_cast<Volume>(9)), "no enumerator: 9");
+  EXPECT_EQ(text_of(static_cast<PairVolume>(9)), "no enumerator: 9");
+  EXPECT_EQ(text_of(static_cast<ShapeKind>(90)), "no enumerator: 90");
 }
 
 TEST(Values, TextIsTheSameWhateverTheStreamHasSet) {

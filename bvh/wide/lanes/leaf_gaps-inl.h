@@ -28,7 +28,7 @@ HWY_INLINE hn::Vec<AnyTag> beyond_plane(const Heights<AnyTag>& heights,
   return hn::Div(gap, hn::Sqrt(hn::Add(square, hn::Set(tag, kWideUnderflow))));
 }
 
-/// Which interval each primitive of a leaf takes up along a direction.
+/// Holds the interval that each primitive of a leaf takes up along a direction.
 struct LeafAlong {
   alignas(16) float start[4];
   alignas(16) float end[4];

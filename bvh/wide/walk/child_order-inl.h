@@ -20,7 +20,7 @@ HWY_BEFORE_NAMESPACE();
 namespace graze::bvh::HWY_NAMESPACE {
 namespace {
 
-/// Which of these lanes' bounds are not beyond a limit.
+/// Returns which of these lanes have bounds that are not beyond a limit.
 HWY_INLINE std::uint32_t not_beyond(std::uint32_t lanes, const float (&bounds)[WideNode::kWidth],
                                     float limit) {
   const Tag tag;
@@ -36,8 +36,8 @@ HWY_INLINE std::uint32_t not_beyond(std::uint32_t lanes, const float (&bounds)[W
 /// foretold.
 class ChildOrder {
  public:
-  /// Keys are not negative, so that their bits have their order. The lowest of these, which hardly
-  /// tell any apart, give way to the number of the child.
+  /// Keys are not negative, so that their bits have their order; a NaN has a place, too. The lowest
+  /// of these bits, which hardly tell any apart, give way to the number of the child.
   HWY_INLINE ChildOrder(std::uint32_t lanes, const float (&keys)[WideNode::kWidth]) {
     const hn::Rebind<std::uint32_t, Tag> tag;
     for (std::size_t part = 0; part < WideNode::kWidth; part += hn::Lanes(tag)) {
@@ -48,7 +48,7 @@ class ChildOrder {
     }
   }
 
-  /// As often as there are children.
+  /// Returns the number of the farthest child that is left. It may be called once for each child.
   HWY_INLINE std::uint32_t take_farthest() {
     std::uint32_t last = 0;
     for (const std::uint32_t numbered : numbered_)

@@ -129,7 +129,7 @@ void ask_for_pairs(const PairJob& job, const Pose& pose_b, int threads, PoseAnsw
   answer.pairs =
       threads == 1
           ? find_triangle_pairs(a, b, {.volume = job.volume, .touch = job.touch}, &answer.work)
-          : find_triangle_pairs(a, b, {.touch = job.touch, .threads = threads}, &answer.work);
+          : find_triangle_pairs(a, b, {.threads = threads, .touch = job.touch}, &answer.work);
   answer.intersects = !answer.pairs->empty();
   if (job.interior == Interior::Solid && (!answer.intersects || job.touch == Touch::Exclude))
     answer.intersects = do_intersect(job, pose_b, answer.work);

@@ -49,12 +49,15 @@ bool ContactRegions::is_known(const Vec3& direction) const {
                      [&](const Vec3& known) { return is_one_direction(known, direction); });
 }
 
-std::optional<std::uint32_t> ContactRegions::number_as_deep(const narrowphase::Exit& exit) const {
+std::optional<std::uint32_t> ContactRegions::number_as_deep(const LocalParting& parting) const {
+  const narrowphase::Exit& exit = parting.exit;
+  if (parting.feature == LeftFeature::Face) return std::nullopt;  // these exits are exact
   if (!clearance_.satisfies({exit.direction, exit.depth - negligible_})) return std::nullopt;
-  const auto at = std::find_if(directions_.begin(), directions_.end(), [&](const Vec3& known) {
-    return dot(known, exit.direction) > kSameExitCosine;
-  });
-  if (at == directions_.end()) return std::nullopt;
+  const auto at = std::max_element(directions_.begin(), directions_.end(),
+                                   [&](const Vec3& one, const Vec3& other) {
+                                     return dot(one, exit.direction) < dot(other, exit.direction);
+                                   });
+  if (at == directions_.end() || dot(*at, exit.direction) <= kSameExitCosine) return std::nullopt;
   return static_cast<std::uint32_t>(at - directions_.begin());
 }
 

@@ -35,8 +35,9 @@ const TouchedTriangle& speaker_of(std::span<const TouchedTriangle> members);
 /// Finds which of the touched triangles are in the way, and how they are connected. By law 15 the
 /// triangles are looked at in the order of their depth. A triangle that the body no longer touches
 /// once it has taken all ways out so far, by the least translation that does so, makes no contact:
-/// so the wall below a rim that a box rests on makes none. Triangles that are left in one direction
-/// and share corners are a region.
+/// so the wall below a rim that a box rests on makes none. One that is left as those before, but
+/// for the tolerance of exits, does make one. Triangles that are left in one direction and share
+/// corners are a region.
 class ContactRegions {
  public:
   /// Leaves only the triangles in `touched` that are in the way, and numbers their directions. If
@@ -51,16 +52,16 @@ class ContactRegions {
     for (std::size_t i = 0; i < touched.size(); ++i) {
       TouchedTriangle& next = touched[i];
       const narrowphase::Exit& exit = next.parting.exit;
+      const bool is_satisfied = clearance_.satisfies(exit);
+      const bool is_cleared = is_satisfied
+                                  ? !is_known(exit.direction)
+                                  : kept > 0 && is_apart(clearance_.translation(), next.triangle);
       std::optional<std::uint32_t> direction;
-      if (clearance_.satisfies(exit)) {
-        if (!is_known(exit.direction)) continue;
-      } else {
-        if (kept > 0 && is_apart(clearance_.translation(), next.triangle)) {
-          direction = number_as_deep(exit);
-          if (!direction || is_apart(short_of(exit), next.triangle)) continue;
-        }
-        clearance_.add(exit);
+      if (is_cleared) {
+        direction = number_as_deep(next.parting);
+        if (!direction || is_apart(short_of(exit), next.triangle)) continue;
       }
+      if (!is_satisfied) clearance_.add(exit);
       next.direction = direction ? *direction : number_of(exit.direction);
       if (kept != i) touched[kept] = next;
       ++kept;
@@ -87,9 +88,9 @@ class ContactRegions {
   void start(std::vector<TouchedTriangle>& touched, double size);
   bool is_known(const narrowphase::Vec3& direction) const;
   std::uint32_t number_of(const narrowphase::Vec3& direction);
-  /// Returns the number of the direction of an exit before that is the same, but for the tolerance
-  /// of the search; nothing if there is none.
-  std::optional<std::uint32_t> number_as_deep(const narrowphase::Exit& exit) const;
+  /// Returns the number of the direction of an exit before that is the same as that of an edge or a
+  /// corner, but for the tolerance of the search; nothing if there is none.
+  std::optional<std::uint32_t> number_as_deep(const LocalParting& parting) const;
   /// Returns the translation so far, less what exits that are the same differ by.
   narrowphase::Vec3 short_of(const narrowphase::Exit& exit) const {
     return clearance_.translation() - exit.direction * negligible_;

@@ -54,7 +54,8 @@ class StandIn {
 
   /// False if no cell is near.
   bool is_near() const { return is_near_; }
-  /// Returns the placed stand-in. The shape from which it was made must outlive it.
+  /// Returns the placed stand-in. The shape from which it was made, and the view that
+  /// holds it, must outlive it.
   PlacedShapeView view() const { return {mesh_ ? *mesh_ : shape_, pose_}; }
   const Shape& shape() const { return mesh_ ? *mesh_ : shape_; }
 

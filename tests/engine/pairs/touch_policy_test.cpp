@@ -150,10 +150,10 @@ TEST(Law4PairThreads, ManyThreadsFindWhatOneDoes) {
     PairMemory memory;
     for (const int threads : {0, 1, 2, 3}) {
       Work work;
-      EXPECT_EQ(find_triangle_pairs({a}, {a, pose}, {.touch = touch, .threads = threads}, &work),
+      EXPECT_EQ(find_triangle_pairs({a}, {a, pose}, {.threads = threads, .touch = touch}, &work),
                 expected);
       EXPECT_GT(work.volume_tests, 0u);
-      const SharedPairSettings settings{.touch = touch, .threads = threads};
+      const SharedPairSettings settings{.threads = threads, .touch = touch};
       EXPECT_EQ(find_triangle_pairs({a}, {a, pose}, memory, settings), expected);
       EXPECT_TRUE(find_triangle_pairs({a}, {a, tests::at(9)}, settings).empty());
     }

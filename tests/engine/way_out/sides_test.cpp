@@ -1,7 +1,6 @@
 // Law 15 where a mesh is a solid, or has one side: what is behind its surface without touching it.
 
 #include <graze/bvh/error.h>
-#include <graze/engine/world/convex_hull.h>
 #include <graze/engine/world/height_field.h>
 #include <graze/engine/world/manifold.h>
 #include <graze/engine/world/shape_pairs.h>

@@ -63,7 +63,7 @@ TrianglePairs ask_pairs(const PlacedPair& pair, std::size_t index,
 TrianglePairs ask_one_pair(const PlacedPair& pair, const MemoryPairSettings& settings, int threads,
                            PairMemory* memory, Work* work) {
   if (threads == 1 || settings.limit != kNoLimit) return ask_pairs(pair, 0, settings, memory, work);
-  const SharedPairSettings shared{.touch = settings.touch, .threads = threads};
+  const SharedPairSettings shared{.threads = threads, .touch = settings.touch};
   const PlacedMeshView a = pair.a.mesh_at(0), b = pair.b.mesh_at(0);
   return memory != nullptr ? find_triangle_pairs(a, b, *memory, shared, work)
                            : find_triangle_pairs(a, b, shared, work);

@@ -27,12 +27,14 @@ double tolerance_of(double size) {
   return std::max(kThrough * size, 0x1p-1000);
 }
 
-// The nearest points of a body and a surface are each known to kTouchTolerance of the scale. What
-// is apart by four times as much has them at least twice that apart.
-constexpr double kUnclear = 4 * kTouchTolerance;
+// The nearest points of a body and a surface are each known to kTouchTolerance of the scale. If
+// they are 128 times as far apart, their direction is known to 2^-6. Points inside the body are as
+// clear of the surface, so that they are on the body's side, wherever its nearest point was found.
+constexpr double kClear = 128 * kTouchTolerance;
 
-// By law 7 the point of a surface nearest to a given point is off by 2 units of rounding of the
-// coordinates, 2^-51 of them. A point that is 2^-44 of them away is seen in its direction to 2^-6.
+// Where only a point that is inside for certain is asked, rounding is all that counts. By law 7 the
+// point of a surface nearest to a given point is off by 2 units of rounding of the coordinates,
+// 2^-51 of them. A point that is 2^-44 of them away is seen in its direction to 2^-6.
 constexpr double kRounded = 0x1p-44;
 
 /// Returns the directions from a point that a triangle through it covers, as the angle between
@@ -66,18 +68,23 @@ double largest_coordinate(const PlacedShapeView& placed) {
 /// A surface with fronts and backs, seen from points that are not on it.
 class Surface {
  public:
-  Surface(const PlacedMeshView& mesh, Work& work) : mesh_(mesh), work_(work) {}
+  /// No coordinate of the surface and of points is greater than `scale`, metres.
+  Surface(const PlacedMeshView& mesh, double scale, Work& work)
+      : mesh_(mesh), scale_(scale), work_(work) {}
 
   /// True if a point is behind, whose nearest point on the surface is given: the sum of the normals
   /// around that point, each by the angle that its triangle has there, decides, whatever the
   /// tessellation. Baerentzen and Aanaes, "Signed distance computation using the angle weighted
   /// pseudonormal", IEEE Transactions on Visualization and Computer Graphics 11, 2005.
   bool is_behind(const Eigen::Vector3d& nearest, const Vec3& to_point) const {
-    const double size = largest(to_vec3(nearest)) + length(to_point);
-    const double tolerance = tolerance_of(size);
+    double tolerance = tolerance_of(largest(to_vec3(nearest)) + length(to_point));
+    TriangleList around = find_triangles(mesh_, Sphere{nearest, tolerance}, {}, &work_);
+    if (around.empty()) {
+      tolerance = tolerance_of(scale_);
+      around = find_triangles(mesh_, Sphere{nearest, tolerance}, {}, &work_);
+    }
     Vec3 front{0, 0, 0};
-    for (const std::uint32_t index :
-         find_triangles(mesh_, Sphere{nearest, tolerance}, {}, &work_).triangles) {
+    for (const std::uint32_t index : around.triangles) {
       const Triangle placed = narrowphase::place(mesh_.pose, mesh_.mesh.triangle(index));
       const Vec3 corner = to_vec3(placed.a);
       const Vec3 normal =
@@ -87,32 +94,34 @@ class Surface {
     return dot(front, to_point) < 0;
   }
 
-  /// Says whether a point is behind, unless it is too near to see.
-  std::optional<bool> is_behind(const Vec3& point) const {
+  /// Says whether a point is behind, if it is farther from the surface than that share of the
+  /// scale.
+  std::optional<bool> is_behind(const Vec3& point, double share) const {
     const NearestPoint nearest = nearest_point(mesh_, to_eigen(point), &work_);
-    if (nearest.distance <= kRounded * (largest(point) + largest(to_vec3(nearest.point))))
-      return std::nullopt;
+    if (nearest.distance <= share * scale_) return std::nullopt;
     return is_behind(nearest.point, point - to_vec3(nearest.point));
   }
 
  private:
   const PlacedMeshView& mesh_;
+  double scale_;
   Work& work_;
 };
 
-/// A convex body is where the points between its nearest point and an inner one are, which do not
-/// go through the surface.
+/// A convex body does not go through the surface. So it is on the side of any of its points, which
+/// lie between its nearest point and an inner one. The first that is clear of the surface decides.
 std::optional<bool> is_convex_behind(const PlacedShapeView& body, const Vec3& nearest,
                                      const Surface& surface) {
-  const Vec3 inward = to_vec3(inner_point(body)) - nearest;
-  for (double share = 0x1p-16; share <= 1; share *= 4) {
-    if (const std::optional<bool> found = surface.is_behind(nearest + inward * share)) return found;
+  const Vec3 inner = to_vec3(inner_point(body));
+  for (double share = 0x1p-16; share < 1; share *= 4) {
+    const Vec3 point = nearest + (inner - nearest) * share;
+    if (const std::optional<bool> found = surface.is_behind(point, kClear)) return found;
   }
-  return std::nullopt;
+  return surface.is_behind(inner, kRounded);
 }
 
-/// A closed mesh is where the points are that it encloses, below its triangles around the nearest
-/// point.
+/// A closed mesh is on the side of any point that it encloses. Such points are sought on both sides
+/// of its triangles around the nearest point, as it may be inside out.
 std::optional<bool> is_solid_behind(const PlacedMeshView& body, const Vec3& nearest, double scale,
                                     const Surface& surface, Work& work) {
   const Sphere around{to_eigen(nearest), tolerance_of(scale)};
@@ -121,20 +130,20 @@ std::optional<bool> is_solid_behind(const PlacedMeshView& body, const Vec3& near
     const Vec3 a = to_vec3(placed.a), b = to_vec3(placed.b), c = to_vec3(placed.c);
     const Vec3 to_middle = (a - nearest + (b - nearest) + (c - nearest)) * (1. / 3);
     const Vec3 normal = unit_or(cross(b - a, c - a), {0, 0, 0});
-    for (double share = 0x1p-6; share >= 0x1p-30; share *= 0x1p-6) {
+    for (double share = 0x1p-12; share <= 0x1p-4; share *= 16) {
       for (const double side : {-1., 1.}) {
-        const Vec3 point =
-            nearest + to_middle * 0x1p-4 + normal * (side * share * length(to_middle));
+        const double height = 0.25 * side * share * length(to_middle);
+        const Vec3 point = nearest + to_middle * share + normal * height;
         if (!contains(body, to_eigen(point), &work)) continue;
-        if (const std::optional<bool> found = surface.is_behind(point)) return found;
+        if (const std::optional<bool> found = surface.is_behind(point, kRounded)) return found;
       }
     }
   }
   return std::nullopt;
 }
 
-/// A surface is where the corners are of its triangle that is nearest, if all of them are on one
-/// side of the plane of the triangle that it is nearest to.
+/// A mesh that is not closed is on the side of the corners of its nearest triangle, if all of them
+/// are on one side of the plane of the triangle that is nearest to it.
 std::optional<bool> is_surface_behind(const PlacedMeshView& body, const PlacedMeshView& mesh,
                                       Work& work) {
   const TrianglePair pair = distance(body, mesh, {}, &work).pair;
@@ -166,9 +175,9 @@ Eigen::Vector3d inner_point(const PlacedShapeView& body) {
 bool is_behind(const PlacedShapeView& body, const PlacedMeshView& mesh,
                const ShapeDistance& nearest, Work& work) {
   const Vec3 point = to_vec3(nearest.point_a);
-  const Surface surface(mesh, work);
   const double scale = largest_coordinate(body) + largest_coordinate({mesh.mesh, mesh.pose});
-  if (nearest.distance > kUnclear * scale)
+  const Surface surface(mesh, scale, work);
+  if (nearest.distance > kClear * scale)
     return surface.is_behind(nearest.point_b, point - to_vec3(nearest.point_b));
   std::optional<bool> found;
   const Mesh* body_mesh = body.shape.as<Mesh>();
