@@ -50,6 +50,7 @@ struct PlacedShapeView {
   requires(!std::is_same_v<Kind, Shape> && std::is_convertible_v<const Kind&, Shape>)
       PlacedShapeView(const Kind& of_kind, const Pose& in_pose)
       : held_shape_(std::in_place, of_kind), shape(*held_shape_), pose(in_pose) {}
+  /// Holds the pose, too.
   template <typename Kind>
   requires(!std::is_same_v<Kind, Shape> && std::is_convertible_v<const Kind&, Shape>)
       PlacedShapeView(const Kind& of_kind, const Pose&& in_pose)

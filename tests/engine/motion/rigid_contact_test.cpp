@@ -16,6 +16,7 @@
 #include <numbers>
 #include <sstream>
 #include <string>
+#include <span>
 #include <vector>
 
 #include "tests/shapes/formula_meshes.h"
@@ -258,7 +259,8 @@ TEST(Law14Threads, BatchesAnswerAsEachMotionAlone) {
   } catch (const PoseError& error) {
     EXPECT_EQ(error.place().index, 7u);
   }
-  EXPECT_THROW(is_free({a, motion_a}, {b, {}}, {}, {.threads = -1}), InputError);
+  EXPECT_THROW(is_free({a, motion_a}, {b, std::span(motions).first(1)}, {}, {.threads = -1}),
+               InputError);
 }
 
 TEST(Law14Threads, BatchesOfPairsAnswerAsEachAlone) {
