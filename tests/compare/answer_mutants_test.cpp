@@ -7,7 +7,10 @@
 #include <graze/engine/compare/judge/judge.h>
 #include <gtest/gtest.h>
 #include <array>
+#include <cstdint>
 #include <map>
+#include <optional>
+#include <vector>
 
 #include "tests/compare/answer_mutants.h"
 #include "tests/shapes/formula_meshes.h"
@@ -208,10 +211,20 @@ void judge_runs(Tally& tally, int runs, std::uint64_t seed) {
 
 /// Two meshes have as many regions of contact as they have, each with up to four contacts.
 TEST(JudgedContacts, OfMeshesMayBeMoreThanFour) {
-  const Mesh box = tests::make_box({1, 0.5, 0.75});
+  const Mesh pier = tests::make_box({1, 0.5, 0.75});
+  std::vector<Eigen::Vector3d> vertices;
+  std::vector<TriangleIndices> triangles;
+  for (const double x : {-2.0, 2.0}) {
+    const auto first = static_cast<std::uint32_t>(vertices.size());
+    for (const Eigen::Vector3d& vertex : pier.vertices())
+      vertices.emplace_back(vertex + Eigen::Vector3d(x, 0, 0));
+    for (const TriangleIndices& of : pier.triangles())
+      triangles.push_back({of[0] + first, of[1] + first, of[2] + first});
+  }
   Pose above = Pose::Identity();
-  above.translation() << -0.5, 0, 1;
-  const Case query = asking(Ask::Contacts, CaseBody(box, Pose::Identity()), CaseBody(box, above));
+  above.translation() << 0, 0, 0.95;
+  const Case query = asking(Ask::Contacts, CaseBody(Mesh(vertices, triangles), Pose::Identity()),
+                            CaseBody(tests::make_box({2.75, 0.25, 0.25}), above));
   const std::optional<CaseAnswer> answer = answer_case(query);
   ASSERT_TRUE(answer && answer->manifold);
   EXPECT_GT(answer->manifold->size(), 4u);
