@@ -7,6 +7,7 @@
 #include <graze/engine/world/body_shapes/users_shape.h>
 #include <graze/engine/world/contacts/margin/nearness.h>
 #include <graze/engine/world/fields/stand_in.h>
+#include <graze/engine/world/rigid/moving_shape.h>
 #include <graze/engine/world/shape_bounds.h>
 #include <graze/engine/world/shape_motion.h>
 #include <graze/engine/world/shape_pairs.h>
