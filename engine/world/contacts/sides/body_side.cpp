@@ -163,7 +163,7 @@ std::optional<bool> is_surface_behind(const PlacedMeshView& body, const PlacedMe
 }  // namespace
 
 Eigen::Vector3d inner_point(const PlacedShapeView& body) {
-  const Eigen::Vector3d middle = middle_of(body.shape, body.pose);
+  Eigen::Vector3d middle = middle_of(body.shape, body.pose);
   const Core core = core_of(body.shape, body.pose, middle);
   if (core.kind != CoreKind::Points) return middle;
   Vec3 sum{0, 0, 0};
