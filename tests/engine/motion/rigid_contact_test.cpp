@@ -14,9 +14,9 @@
 #include <cmath>
 #include <filesystem>
 #include <numbers>
+#include <span>
 #include <sstream>
 #include <string>
-#include <span>
 #include <vector>
 
 #include "tests/shapes/formula_meshes.h"
