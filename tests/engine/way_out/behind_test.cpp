@@ -104,6 +104,27 @@ TEST(BodySide, FacesAndTipsAHairApartAreOnTheirSides) {
   EXPECT_GT(under_count, 1000);
 }
 
+// Where edges lie on edges, rounding may turn the line between the nearest points to the front. A
+// point inside the box tells that it is behind.
+TEST(BodySide, WhatHasItsEdgesOnARimIsBehind) {
+  const std::vector<Vector3d> corners{{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
+  const std::vector<TriangleIndices> triangles{{0, 1, 2}, {0, 2, 3}};
+  const Shape sheet = Mesh(corners, triangles);
+  const Shape box = Box{{1, 1, 0.25}};
+  RandomSource source(1524);
+  int asked = 0;
+  for (int n = 0; n < 2000; ++n) {
+    const Pose frame = tests::random_pose(1, source);
+    const Pose pose = frame * tests::at(0, 0, -0.25 - std::ldexp(1, -53));
+    if (intersects({sheet, frame}, {box, pose})) continue;
+    ++asked;
+    const Manifold found =
+        find_contacts({sheet, frame}, {box, pose}, {.sides_a = MeshSides::one_sided(1)});
+    EXPECT_FALSE(found.empty()) << n;
+  }
+  EXPECT_GT(asked, 400);
+}
+
 // What has no inside is on the side of the floor's plane on which all of its corners are, exactly.
 TEST(BodySide, SheetsAHairApartAreOnTheirSides) {
   const MeshSides sides = MeshSides::one_sided(0.3);
