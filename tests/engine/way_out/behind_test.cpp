@@ -104,25 +104,35 @@ TEST(BodySide, FacesAndTipsAHairApartAreOnTheirSides) {
   EXPECT_GT(under_count, 1000);
 }
 
-// Where edges lie on edges, rounding may turn the line between the nearest points to the front. A
-// point inside the box tells that it is behind.
-TEST(BodySide, WhatHasItsEdgesOnARimIsBehind) {
+// Where edges lie on edges, rounding may turn the line between the nearest points to the other
+// side. A box that does not touch the sheet is on the side on which its middle is.
+TEST(BodySide, WhatHasItsEdgesOnARimIsOnItsSide) {
   const std::vector<Vector3d> corners{{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
   const std::vector<TriangleIndices> triangles{{0, 1, 2}, {0, 2, 3}};
   const Shape sheet = Mesh(corners, triangles);
   const Shape box = Box{{1, 1, 0.25}};
+  const MeshSides sides = MeshSides::one_sided(1);
   RandomSource source(1524);
-  int asked = 0;
+  int over_count = 0, under_count = 0;
   for (int n = 0; n < 2000; ++n) {
     const Pose frame = tests::random_pose(1, source);
-    const Pose pose = frame * tests::at(0, 0, -0.25 - std::ldexp(1, -53));
-    if (intersects({sheet, frame}, {box, pose})) continue;
-    ++asked;
-    const Manifold found =
-        find_contacts({sheet, frame}, {box, pose}, {.sides_a = MeshSides::one_sided(1)});
-    EXPECT_FALSE(found.empty()) << n;
+    const double hair = std::ldexp(1, -53);
+    const Pose over = frame * tests::at(0, 0, 0.25 + hair);
+    if (!intersects({sheet, frame}, {box, over})) {
+      ++over_count;
+      EXPECT_TRUE(find_contacts({sheet, frame}, {box, over}, {.sides_a = sides}).empty()) << n;
+    }
+    const Pose under = frame * tests::at(0, 0, -0.25 - hair);
+    if (!intersects({sheet, frame}, {box, under})) {
+      ++under_count;
+      const Manifold found = find_contacts({sheet, frame}, {box, under}, {.sides_a = sides});
+      ASSERT_FALSE(found.empty()) << n;
+      EXPECT_NEAR(found[0].depth, 0.5, 1e-9) << n;
+      EXPECT_LT((found[0].normal - frame.linear().col(2)).norm(), 1e-9) << n;
+    }
   }
-  EXPECT_GT(asked, 400);
+  EXPECT_GT(over_count, 400);
+  EXPECT_GT(under_count, 400);
 }
 
 // What has no inside is on the side of the floor's plane on which all of its corners are, exactly.

@@ -328,5 +328,41 @@ TEST(Sides, ACapsuleWithoutLengthIsABall) {
   }
 }
 
+/// A cube, its own vertices moved, and a vertex more that no triangle has.
+Mesh cube_with(const Vector3d& stray, const Vector3d& offset) {
+  const Mesh cube = tests::tessellated_box({0.25, 0.25, 0.25}, 1);
+  std::vector<Vector3d> vertices;
+  for (const Vector3d& vertex : cube.vertices())
+    vertices.push_back(vertex + offset);
+  vertices.push_back(stray);
+  return {vertices, std::vector<TriangleIndices>(cube.triangles().begin(), cube.triangles().end())};
+}
+
+// A body is where its triangles are: not where a vertex without any is, nor where its frame is.
+TEST(Sides, ABodyIsWhereItsTrianglesAre) {
+  const Shape solid = tests::tessellated_box({2, 2, 2}, 2);
+  const Shape sheet = HeightField(9, 9, std::vector<float>(81, 0.f));
+  for (const Vector3d& stray : {Vector3d(3, 4, 5), Vector3d(-3, 0, 0), Vector3d(0, 0, -100)}) {
+    for (const double offset : {0.0, 0x1p20, -0x1p30}) {
+      const Vector3d moved(offset, -offset, offset);
+      const Shape cube = cube_with(stray, moved);
+      const auto at = [&](double x, double y, double z) {
+        return tests::at(x - moved[0], y - moved[1], z - moved[2]);
+      };
+      SCOPED_TRACE((std::ostringstream() << stray.transpose() << " by " << offset).str());
+      const Manifold out =
+          find_contacts({solid}, {cube, at(1.5, 0.875, 0.875)}, {.sides_a = kSolid});
+      ASSERT_FALSE(out.empty());
+      EXPECT_NEAR(out[0].depth, 0.75, 1e-9);
+      EXPECT_LT((out[0].normal - Vector3d(1, 0, 0)).norm(), 1e-9);
+      const Manifold up = find_contacts({sheet}, {cube, at(4.25, 4.125, -0.75)},
+                                        {.sides_a = MeshSides::one_sided(1)});
+      ASSERT_FALSE(up.empty());
+      EXPECT_NEAR(up[0].depth, 1, 1e-9);
+      EXPECT_LT((up[0].normal - Vector3d(0, 0, 1)).norm(), 1e-9);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace graze

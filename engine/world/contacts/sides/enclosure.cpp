@@ -104,17 +104,24 @@ bool Enclosure::is_behind() const {
   return nearest.distance <= sides_.thickness() && graze::is_behind(body_, mesh_, nearest, work_);
 }
 
-Core Enclosure::core(const Eigen::Vector3d& origin, std::vector<Vec3>& points) const {
+Core Enclosure::core(const Eigen::Vector3d& origin, Scratch& scratch) const {
   const Mesh* body = body_.shape.as<Mesh>();
   if (body == nullptr) return core_of(body_.shape, body_.pose, origin);
   Core core;
   core.kind = narrowphase::CoreKind::Points;
-  points.clear();
-  for (const Eigen::Vector3d& vertex : body->vertices()) {
-    points.push_back(to_vec3(narrowphase::place(body_.pose, vertex)) - to_vec3(origin));
-    core.bounding_radius = std::max(core.bounding_radius, length(points.back()));
+  scratch.points.clear();
+  // A vertex that no triangle has is no part of the body.
+  scratch.is_taken.assign(body->vertices().size(), false);
+  for (const TriangleIndices& triangle : body->triangles()) {
+    for (const std::uint32_t index : triangle) {
+      if (scratch.is_taken[index]) continue;
+      scratch.is_taken[index] = true;
+      const Eigen::Vector3d& vertex = body->vertices()[index];
+      scratch.points.push_back(to_vec3(narrowphase::place(body_.pose, vertex)) - to_vec3(origin));
+      core.bounding_radius = std::max(core.bounding_radius, length(scratch.points.back()));
+    }
   }
-  core.points = points.data(), core.point_count = points.size();
+  core.points = scratch.points.data(), core.point_count = scratch.points.size();
   return core;
 }
 
@@ -205,9 +212,9 @@ class Enclosure::Exits {
 };
 
 void Enclosure::add(ContactCandidates& candidates) const {
-  static thread_local std::vector<Vec3> points;  // no pair is looked at within another
+  static thread_local Scratch scratch;  // no pair is looked at within another
   candidates.origin = middle_of(body_.shape, body_.pose);
-  const Core core = this->core(candidates.origin, points);
+  const Core core = this->core(candidates.origin, scratch);
   MeshDescent descent(mesh_, core, candidates.origin, work_);
   const Exits exits(core, mesh_, sides_.kind(), candidates.origin);
   narrowphase::Exit best{{0, 0, 1}, std::numeric_limits<double>::infinity()};

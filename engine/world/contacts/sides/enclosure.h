@@ -38,10 +38,15 @@ class Enclosure {
  private:
   class Exits;
 
+  /// The points of a body that is a mesh, and which of its vertices they are.
+  struct Scratch {
+    std::vector<narrowphase::Vec3> points;
+    std::vector<bool> is_taken;
+  };
+
   bool is_inside() const;
   bool is_behind() const;
-  narrowphase::Core core(const Eigen::Vector3d& origin,
-                         std::vector<narrowphase::Vec3>& points) const;
+  narrowphase::Core core(const Eigen::Vector3d& origin, Scratch& scratch) const;
 
   const PlacedShapeView& body_;
   PlacedMeshView mesh_;
