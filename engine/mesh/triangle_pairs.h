@@ -26,7 +26,7 @@ enum class Completeness { Complete, LimitReached };
 /// Pairs in ascending order, without duplicates.
 struct TrianglePairs {
   std::vector<TrianglePair> pairs;                     ///< ascending
-  Completeness completeness = Completeness::Complete;  ///< LimitReached if there may be more
+  Completeness completeness = Completeness::Complete;  ///< LimitReached if there are more
 
   std::size_t size() const { return pairs.size(); }
   bool empty() const { return pairs.empty(); }
@@ -40,7 +40,7 @@ struct TrianglePairs {
 /// Indices of triangles in ascending order.
 struct TriangleList {
   std::vector<std::uint32_t> triangles;                ///< ascending
-  Completeness completeness = Completeness::Complete;  ///< LimitReached if there may be more
+  Completeness completeness = Completeness::Complete;  ///< LimitReached if there are more
 
   std::size_t size() const { return triangles.size(); }
   bool empty() const { return triangles.empty(); }

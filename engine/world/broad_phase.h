@@ -56,7 +56,7 @@ using RayBoxVisitor = std::function<double(std::uint32_t index)>;
 /// are those of before, none began or ended, and the next update lists all that has changed since.
 /// All lists are the same for any number of threads and on any SIMD target. Spans are valid until
 /// the next update(): boxes may come, move and go while a loop reads them. Const functions may run
-/// at the same time.
+/// at the same time; while one changes the broad phase no other may.
 class BroadPhase {
  public:
   /// Makes a broad phase without boxes.

@@ -13,8 +13,10 @@
 
 namespace graze {
 
-// The shapes are values in a body's own frame, metres, closed and solid. Sphere and Ellipsoid have
-// a centre in that frame; the others are centred at its origin, with z as their axis.
+// The shapes are values in a body's own frame, metres, and closed. All are solid but Plane, meshes
+// and height fields, which are surfaces. Sphere and Ellipsoid have a centre in that frame; Box,
+// Capsule, Cylinder and Cone are centred at its origin, the last three with z as their axis; the
+// others are where their numbers say.
 
 /// The points from -half_extents to half_extents.
 struct Box {

@@ -1,5 +1,6 @@
 // This file holds the stages of the orientation predicates, one after the other: rounded with a
-// bound, expansions, integers of any size; and, at the end, who asks them in which order.
+// bound, expansions, integers of any size; and, at the end, who asks them in which order. A fan of
+// edges has the rounded stage alone.
 //
 // Forward error bounds. Below, u = 2^-53 is the unit roundoff and n = 2^-1074 the smallest double;
 // an operation returns its exact result times (1 + d), |d| <= u, and a product that underflows is

@@ -20,7 +20,8 @@ class BoxOrder {
   void insert(std::uint32_t proxy, const OrderedBox& box);
   void move(std::uint32_t proxy, const OrderedBox& box);
 
-  /// Makes the bounds fit the boxes again. Only dirty blocks take time.
+  /// Makes the bounds fit the boxes again, moves outliers and sorts groups that were stretched.
+  /// Only dirty blocks take time, unless many moved at once: then all do.
   void refit();
 
   /// Refits, and orders the boxes anew if many came: this prepares for queries.
