@@ -34,14 +34,14 @@ void OverlapTracker::erase(std::uint32_t proxy) {
 /// Lets a change wait. Changes are made in the order in which they came. Those that wait cannot
 /// fail any more: each takes at most one new place.
 void OverlapTracker::wait(const WaitingChange& change) {
-  if (waiting_count_ == kMostWaiting) end_waiting();
+  if (waiting_count_ == kMostWaiting) make_waiting_changes();
   if (change.verb == Verb::Insert) set_.store().reserve(kMostWaiting, change.proxy + 1);
   waiting_[waiting_count_++] = change;
   const std::uint32_t place = set_.store().place(change.proxy);
   if (place != kNullIndex) set_.store().prefetch(place);
 }
 
-void OverlapTracker::end_waiting() {
+void OverlapTracker::make_waiting_changes() {
   for (std::size_t i = 0; i < waiting_count_; ++i) {
     const auto& [verb, proxy, box] = waiting_[i];
     note(proxy);
@@ -67,7 +67,7 @@ void OverlapTracker::note(std::uint32_t proxy) {
   try {
     note_one(proxy);
   } catch (const std::bad_alloc&) {
-    note_many();
+    count_all_as_changed();
   }
 }
 
@@ -75,7 +75,7 @@ void OverlapTracker::note_one(std::uint32_t proxy) {
   if (proxy >= is_changed_.size()) is_changed_.resize(proxy + std::size_t{1});
   if (is_changed_[proxy]) return;
   if (are_many(changed_.size() + 1)) {
-    note_many();
+    count_all_as_changed();
     return;
   }
   if (changed_.size() == changed_.capacity())
@@ -85,8 +85,9 @@ void OverlapTracker::note_one(std::uint32_t proxy) {
   is_changed_[proxy] = true;
 }
 
-/// Forgets what was noted: until the next update nobody asks what was where.
-void OverlapTracker::note_many() {
+/// Counts all boxes as changed and forgets what was noted: until the next update nobody asks what
+/// was where.
+void OverlapTracker::count_all_as_changed() {
   if (have_many_changed_) return;
   forget_changes();
   have_many_changed_ = true;
@@ -108,14 +109,14 @@ std::size_t OverlapTracker::most_changes() const {
 }
 
 bool OverlapTracker::update() {
-  end_waiting();
+  make_waiting_changes();
   begun_.clear();
   ended_.clear();
   is_difference_sorted_ = has_difference_ = true;
   if (!have_many_changed_ && changed_.empty()) return false;
   // Boxes that came from far away have other neighbours now than those that were looked up before
   // them.
-  if (are_many(changed_.size() + set_.order().arrivals())) note_many();
+  if (are_many(changed_.size() + set_.order().arrivals())) count_all_as_changed();
   try {
     have_many_changed_ ? search_all() : search_movers();
   } catch (...) {

@@ -41,8 +41,8 @@ class OverlapTracker {
  public:
   explicit OverlapTracker(int threads) : set_(threads) {}
 
-  /// Returns the set as of the last prepare_for_queries(), update() or end_waiting(): a few changes
-  /// may wait.
+  /// Returns the set as of the last prepare_for_queries(), update() or make_waiting_changes(): a
+  /// few changes may wait.
   const BoxSet& set() const { return set_; }
 
   /// Change a box as BoxOrder::insert(), BoxOrder::move() and BoxStore::erase() do. Of these
@@ -53,7 +53,7 @@ class OverlapTracker {
   void erase(std::uint32_t proxy);
 
   /// Makes the changes that wait for their blocks to be fetched.
-  void end_waiting();
+  void make_waiting_changes();
 
   /// True if so many changes are handled by a search for all pairs.
   bool are_many(std::size_t changes) const;
@@ -61,26 +61,26 @@ class OverlapTracker {
   /// Move many boxes as ManyMoves does. All of them count as changed: a search for all pairs
   /// follows.
   void move_first(std::span<const Aabb> boxes) {
-    end_waiting();
-    note_many();
+    make_waiting_changes();
+    count_all_as_changed();
     set_.many_moves().move_first(boxes);
   }
   template <typename ProxyOf>
   void move_ascending(std::span<const Aabb> boxes, const ProxyOf& proxy_of) {
-    end_waiting();
-    note_many();
+    make_waiting_changes();
+    count_all_as_changed();
     set_.many_moves().move_ascending(boxes, proxy_of);
   }
   template <typename ProxyOf>
   void move_many(std::span<const Aabb> boxes, const ProxyOf& proxy_of) {
-    end_waiting();
-    note_many();
+    make_waiting_changes();
+    count_all_as_changed();
     set_.many_moves().move(boxes, proxy_of);
   }
 
   /// Makes the set ready for queries. No list changes.
   void prepare_for_queries() {
-    end_waiting();
+    make_waiting_changes();
     set_.order().prepare_for_queries();
   }
 
@@ -121,7 +121,7 @@ class OverlapTracker {
   void wait(const WaitingChange& change);
   void note(std::uint32_t proxy);
   void note_one(std::uint32_t proxy);
-  void note_many();
+  void count_all_as_changed();
   void forget_changes();
   void search_all();
   void search_movers();

@@ -43,7 +43,7 @@ HWY_INLINE std::uint32_t lane_of(Open open) {
 }
 
 /// Fetches what is read when the children's turn comes.
-HWY_INLINE void fetch(const RayTree& tree, const RayNode& node, std::uint32_t lanes) {
+HWY_INLINE void prefetch(const RayTree& tree, const RayNode& node, std::uint32_t lanes) {
   while (lanes != 0) {
     const RayChild child = node.child[take_lane(lanes)];
     if (child.is_leaf()) {
@@ -144,7 +144,7 @@ HWY_INLINE std::size_t walk(const RayTree& tree, RayWalkState& state, Open* end)
         // If there is only one, the next node does not wait for where the ray enters it.
         lane = first_lane(lanes);
       } else {
-        fetch(tree, *node, lanes);
+        prefetch(tree, *node, lanes);
         lane = lane_of(open_children(child.where(), lanes, enters, end));
       }
       child = node->child[lane];

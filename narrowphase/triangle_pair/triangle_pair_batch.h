@@ -76,7 +76,7 @@ Decision decide_unsure(const Triangle& triangle_a, const Triangle& triangle_b, T
 
 /// Returns what intersects_exactly() does, for any finite coordinates. That falls back on this
 /// where coordinates do not fit into 60 bits.
-bool intersects_by_expansions(const Triangle& triangle_a, const Triangle& triangle_b);
+bool intersects_in_doubles(const Triangle& triangle_a, const Triangle& triangle_b);
 
 /// Returns bits: bit i is set if pair i is surely apart because one triangle is strictly on one
 /// side of the other's plane. This is the first half of triage(), for less time. The bits are the

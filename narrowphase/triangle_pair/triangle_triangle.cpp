@@ -182,10 +182,10 @@ bool intersects_exactly(const Triangle& triangle_a, const Triangle& triangle_b) 
     return meet_exactly(Corners<std::int64_t>{{fixed[0], fixed[1], fixed[2]}},
                         Corners<std::int64_t>{{fixed[3], fixed[4], fixed[5]}});
   }
-  return intersects_by_expansions(triangle_a, triangle_b);
+  return intersects_in_doubles(triangle_a, triangle_b);
 }
 
-bool intersects_by_expansions(const Triangle& triangle_a, const Triangle& triangle_b) {
+bool intersects_in_doubles(const Triangle& triangle_a, const Triangle& triangle_b) {
   return meet_exactly(corners_of(triangle_a), corners_of(triangle_b));
 }
 

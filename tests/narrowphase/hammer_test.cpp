@@ -84,7 +84,7 @@ void hammer_pairs(int rounds, std::uint64_t seed) {
     ASSERT_FALSE(is_wrong(verdict, truth)) << n;
     unsure += verdict == Verdict::Unsure;
     if (verdict == Verdict::Unsure || n % 64 < kKinds) {
-      ASSERT_EQ(intersects_by_expansions(a, b), truth) << n;
+      ASSERT_EQ(intersects_in_doubles(a, b), truth) << n;
     }
   }
   EXPECT_GT(unsure, rounds / 20);

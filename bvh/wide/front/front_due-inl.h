@@ -253,11 +253,11 @@ class FrontDue {
   template <typename Planes>
   HWY_NOINLINE std::size_t find_due(const std::vector<Planes>& planes,
                                     std::vector<float>& budgets) const {
-    const std::size_t size = list_due(budgets);
+    const std::size_t size = list_spent(budgets);
     std::uint32_t* const due = state_.due.data();
     std::size_t due_count = 0;
     for (std::size_t i = 0; i < size; ++i) {
-      fetch(planes[due[std::min(i + kPlanesAhead, size - 1)]]);
+      prefetch(planes[due[std::min(i + kPlanesAhead, size - 1)]]);
       const std::uint32_t index = due[i];
       const float later =
           budget_after(outlook_[planes[index].ball.tested_side].motion_left(planes[index]));
@@ -271,14 +271,14 @@ class FrontDue {
   }
 
   template <typename Object>
-  HWY_INLINE static void fetch(const Object& object) {
+  HWY_INLINE static void prefetch(const Object& object) {
     constexpr std::size_t kLine = 64;
     for (std::size_t i = 0; i < sizeof(Object); i += kLine)
       hwy::Prefetch(reinterpret_cast<const char*>(&object) + i);
   }
 
   /// Lists the indices of all budgets that are spent.
-  HWY_NOINLINE std::size_t list_due(const std::vector<float>& budgets) const {
+  HWY_NOINLINE std::size_t list_spent(const std::vector<float>& budgets) const {
     const hn::ScalableTag<float> tag;
     const hn::RebindToUnsigned<decltype(tag)> indices;
     const std::size_t lanes = hn::Lanes(tag);

@@ -182,11 +182,11 @@ class FrontLeaves : protected FrontDue<kind> {
  protected:
   using Base = FrontDue<kind>;
   using Base::budget_after;
-  using Base::fetch;
   using Base::find_due;
   using Base::outlook_;
   using Base::pass_;
   using Base::planes_;
+  using Base::prefetch;
   using Base::required_;
   using Base::state_;
   using typename Base::LeafPlanes;
@@ -224,8 +224,8 @@ class FrontLeaves : protected FrontDue<kind> {
     std::size_t busy = 0;
     std::size_t idle = 0;
     for (std::size_t i = 0; i < size; ++i) {
-      if (i + 2 * kAhead < size) fetch(state_.leaves[state_.busy[i + 2 * kAhead]]);
-      if (i + kAhead < size) fetch_leaves(state_.busy[i + kAhead]);
+      if (i + 2 * kAhead < size) prefetch(state_.leaves[state_.busy[i + 2 * kAhead]]);
+      if (i + kAhead < size) prefetch_leaves(state_.busy[i + kAhead]);
       const std::uint32_t index = state_.busy[i];
       const std::uint32_t asked = set_leaves(state_.leaves[index]);
       state_.counts.primitive_tests += static_cast<std::uint32_t>(std::popcount(asked));
@@ -254,10 +254,10 @@ class FrontLeaves : protected FrontDue<kind> {
     state_.busy.resize(busy + count);
     for (std::size_t i = 0; i < count; ++i) {
       if (i + 2 * kAhead < count) {
-        fetch(state_.leaves[state_.due[i + 2 * kAhead]]);
-        fetch(planes_.of_leaves[state_.due[i + 2 * kAhead]]);
+        prefetch(state_.leaves[state_.due[i + 2 * kAhead]]);
+        prefetch(planes_.of_leaves[state_.due[i + 2 * kAhead]]);
       }
-      if (i + kAhead < count) fetch_leaves(state_.due[i + kAhead]);
+      if (i + kAhead < count) prefetch_leaves(state_.due[i + kAhead]);
       const std::uint32_t index = state_.due[i];
       const WideFront::Leaves& leaves = state_.leaves[index];
       LeafPlanes& planes = planes_.of_leaves[index];
@@ -290,13 +290,13 @@ class FrontLeaves : protected FrontDue<kind> {
 
  private:
   /// Fetches two leaves: those of large meshes are not in the cache.
-  HWY_INLINE void fetch_leaves(std::size_t index) const {
+  HWY_INLINE void prefetch_leaves(std::size_t index) const {
     const WideFront::Leaves& leaves = state_.leaves[index];
-    fetch_leaf(leaves.tested_side, leaves.tested);
-    fetch_leaf(1 - leaves.tested_side, leaves.query);
+    prefetch_leaf(leaves.tested_side, leaves.tested);
+    prefetch_leaf(1 - leaves.tested_side, leaves.query);
   }
 
-  HWY_INLINE void fetch_leaf(int side, const WideFront::Leaf& leaf) const {
+  HWY_INLINE void prefetch_leaf(int side, const WideFront::Leaf& leaf) const {
     constexpr std::size_t kLine = 64 / sizeof(float);
     const float* rows = rows_of(state_.tree[side]->treelet(leaf.treelet), leaf.link);
     for (std::size_t i = 0; i < CornerRows::kRows * ChildLink::kMaxLeafSize; i += kLine)

@@ -10,6 +10,7 @@
 #endif
 
 #include <graze/bvh/wide/front/front_planes.h>
+#include <graze/bvh/wide/front/wide_front.h>
 #include <graze/bvh/wide/lanes/query_gaps-inl.h>
 
 HWY_BEFORE_NAMESPACE();
@@ -17,7 +18,7 @@ namespace graze::bvh::HWY_NAMESPACE {
 namespace {
 
 /// The largest distance that is told apart: what is further counts as so far.
-inline constexpr float kFarthest = 0x1p60f;
+inline constexpr auto kFarthest = static_cast<float>(WideFront::kFarthest);
 
 /// Estimates of reciprocals and of reciprocal roots are off by at most this, on any target.
 inline constexpr float kEstimateError = 0x1p-7f;

@@ -22,7 +22,7 @@ FrontHorizon horizon_at(const WideFront::Pass& pass, double limit) {
   return {limit > 0 ? rounded_up(limit) : 0, spent_at(pass, limit)};
 }
 
-std::size_t count_due(const std::vector<float>& budgets, float spent) {
+std::size_t count_spent(const std::vector<float>& budgets, float spent) {
   return static_cast<std::size_t>(std::count_if(budgets.begin(), budgets.end(),
                                                 [spent](float budget) { return budget <= spent; }));
 }
@@ -123,11 +123,11 @@ PlacePair WideFront::places_of(std::uint32_t lane_of_leaves) const {
   return leaves.tested_side == 0 ? places : PlacePair{places.b, places.a};
 }
 
-double WideFront::share_due(const Pass& pass, double limit) const {
+double WideFront::share_spent(const Pass& pass, double limit) const {
   const float spent = spent_at(pass, limit);
   const std::size_t all = state_.visits.size() + state_.leaves.size();
-  return static_cast<double>(count_due(state_.visit_budgets, spent) +
-                             count_due(state_.leaves_budgets, spent)) /
+  return static_cast<double>(count_spent(state_.visit_budgets, spent) +
+                             count_spent(state_.leaves_budgets, spent)) /
          static_cast<double>(all);
 }
 

@@ -94,8 +94,9 @@ class WideFront {
   /// Returns the motion spent, with which budgets are compared: how far B has come, or more.
   double spent() const { return spent_; }
 
-  /// Returns the share of all visits and leaves that is due in this pass.
-  double share_due(const Pass& pass, double limit) const;
+  /// Returns the share of all visits and leaves whose budget is spent in this pass: no more of them
+  /// are due.
+  double share_spent(const Pass& pass, double limit) const;
 
   /// Says what a pass does for later ones, so that the gap that it proves is larger. It opens boxes
   /// that are no further apart than `look_ahead` as if they met, until the front holds `most_added`

@@ -168,15 +168,15 @@ class FrontUpdater : private FrontLeaves<kind> {
     const std::size_t due = find_due(planes_.of_visits, state_.visit_budgets);
     for (std::size_t i = 0; i < due; ++i) {
       if (i + 2 * kAhead < due) {
-        fetch(state_.visits[state_.due[i + 2 * kAhead]]);
-        fetch(planes_.of_visits[state_.due[i + 2 * kAhead]]);
+        prefetch(state_.visits[state_.due[i + 2 * kAhead]]);
+        prefetch(planes_.of_visits[state_.due[i + 2 * kAhead]]);
       }
-      if (i + kAhead < due) fetch_visit(state_.due[i + kAhead]);
+      if (i + kAhead < due) prefetch_visit(state_.due[i + kAhead]);
       visit(state_.due[i]);
     }
     state_.looked_at = due;
     for (std::size_t i = visits; i < state_.visits.size(); ++i) {
-      if (i + kAhead < state_.visits.size()) fetch_visit(i + kAhead);
+      if (i + kAhead < state_.visits.size()) prefetch_visit(i + kAhead);
       visit(i);
     }
     if constexpr (kIsDistance) {
@@ -195,13 +195,13 @@ class FrontUpdater : private FrontLeaves<kind> {
   using Base::budget_after;
   using Base::compare_due_leaves;
   using Base::decide_leaves;
-  using Base::fetch;
   using Base::find_due;
   using Base::least_of;
   using Base::look_ahead_;
   using Base::outlook_;
   using Base::pass_;
   using Base::planes_;
+  using Base::prefetch;
   using Base::required_;
   using Base::state_;
   using typename Base::LeafPlanes;
@@ -224,10 +224,10 @@ class FrontUpdater : private FrontLeaves<kind> {
     return 2 * near > most_size_ - size();
   }
 
-  HWY_INLINE void fetch_visit(std::size_t index) const {
+  HWY_INLINE void prefetch_visit(std::size_t index) const {
     const WideFront::Visit& visit = state_.visits[index];
-    fetch(*visit.tested.node);
-    fetch(*visit.query.node);
+    prefetch(*visit.tested.node);
+    prefetch(*visit.query.node);
   }
 
   HWY_NOINLINE void visit(std::size_t index) {

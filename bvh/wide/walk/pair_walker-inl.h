@@ -64,8 +64,7 @@ constexpr std::size_t most_seen_in(std::size_t room) {
 static_assert(most_seen_in(WidePairWalk::kOneStep) == WidePairWalk::kMostSeen,
               "a walk takes the same steps with any room for one");
 
-/// What a walk looks for: all pairs, or any one, which ends it.
-enum class Goal { AllPairs, AnyPair };
+using Goal = WidePairWalk::Goal;
 
 /// One walk, from where it stopped to where it has found enough.
 template <Goal kGoal>

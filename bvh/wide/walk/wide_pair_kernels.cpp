@@ -30,13 +30,13 @@ namespace graze::bvh {
 HWY_EXPORT(walk);
 
 WidePairWalk::WidePairWalk(const WideTree& tree_a, const WideTree& tree_b,
-                           const RelativeFrame& b_in_a, const RelativeFrame& a_in_b)
-    : state_(tree_a, tree_b, b_in_a, a_in_b) {
+                           const RelativeFrame& b_in_a, const RelativeFrame& a_in_b, Goal goal)
+    : goal_(goal), state_(tree_a, tree_b, b_in_a, a_in_b) {
   state_.open.push({tree_a.root(), tree_b.root()});
 }
 
 std::size_t WidePairWalk::next(std::span<FoundPair> found) {
-  if (state_.steps_left != 0) return next_of_any(state_, found, counts_);
+  if (goal_ == Goal::AnyPair) return next_of_any(state_, found, counts_);
   return HWY_DYNAMIC_DISPATCH(walk)(state_, found, counts_);
 }
 

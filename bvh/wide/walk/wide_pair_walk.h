@@ -38,7 +38,8 @@ struct WideWalkCounts {
 /// may differ between SIMD targets in what does not meet anyway, and so may which of them are sure.
 class WidePairWalk {
  public:
-  /// One step may find as many pairs: next() stops when there might not be room for these.
+  /// One step (a pair that is taken from what waits, and compared) may find as many pairs: next()
+  /// stops when there might not be room for these.
   static constexpr std::size_t kMostAtOnce =
       WideNode::kWidth * ChildLink::kMaxLeafSize * ChildLink::kMaxLeafSize;
   /// A step ends when leaves were left with more pairs than these: what it has not looked at waits.
@@ -52,18 +53,25 @@ class WidePairWalk {
   static constexpr std::size_t kOneStep = kMostSeen + kMostAtOnce + kMostSeen;
   static_assert(kOneStep <= kMany);
 
+  /// What a walk looks for. Each goal has a kernel of its own.
+  enum class Goal {
+    AllPairs,  ///< all pairs, or the first of them in an order that is the same on all SIMD targets
+    AnyPair    ///< one pair that meets, which ends the query. next() returns with what the first
+               ///< leaves have that are left with any, whatever room there is. Before the 16th pair
+               ///< that it compares, and then each time after twice as many, what waits longest and
+               ///< what was to be next change places: a walk into a place where surfaces nearly
+               ///< coincide but do not meet may be long while others meet nearby. Which pair comes
+               ///< first may differ between SIMD targets
+  };
+
   /// How tree B lies in tree A and how A lies in B, each with its slack (law 5).
   WidePairWalk(const WideTree& tree_a, const WideTree& tree_b, const RelativeFrame& b_in_a,
-               const RelativeFrame& a_in_b);
+               const RelativeFrame& a_in_b, Goal goal);
+
+  Goal goal() const { return goal_; }
 
   /// The next pairs; none when there are no more.
   std::size_t next(std::span<FoundPair> found);
-
-  /// For a query that is over with the first pair: before the 16th pair that it compares, and then
-  /// each time after twice as many, what waits longest and what was to be next change places. A
-  /// walk into a place where surfaces nearly coincide but do not meet may be long while others meet
-  /// nearby. Which pair comes first then may differ between SIMD targets.
-  void look_elsewhere() { state_.steps_left = state_.patience = kPatience; }
 
   /// Two children that wait to be compared: what lies below them is a walk of its own.
   struct Waiting {
@@ -82,8 +90,8 @@ class WidePairWalk {
   /// Adds something that waits: a part of what this walk, or one like it, was to do.
   void start_at(const Waiting& waiting) { state_.open.push(waiting); }
 
-  /// A walk over the same trees in the same poses in which nothing waits yet.
-  WidePairWalk another() const { return WidePairWalk(state_.tree, state_.into); }
+  /// A walk over the same trees in the same poses, with the same goal, in which nothing waits yet.
+  WidePairWalk another() const { return WidePairWalk(state_.tree, state_.into, goal_); }
 
   /// Two of the last primitives that neither boxes nor planes told apart, if there were any: where
   /// nothing meets, they are likely to be near each other.
@@ -104,16 +112,19 @@ class WidePairWalk {
     TreeTransform into[2];  ///< by the side of the tested node: of query boxes of the other tree
     TraversalStack<Waiting, 192> open;
     std::optional<PlacePair> last_near;
-    std::uint32_t patience = 0;    ///< pairs until the walk looks elsewhere
-    std::uint32_t steps_left = 0;  ///< of these; 0 if it never does
+    /// Steps from one time that a walk to any pair looks elsewhere to the next, and those that are
+    /// left of them.
+    std::uint32_t patience = kFirstPatience;
+    std::uint32_t steps_left = kFirstPatience;
   };
 
  private:
-  static constexpr std::uint32_t kPatience = 16;  ///< pairs before it first looks elsewhere
+  static constexpr std::uint32_t kFirstPatience = 16;
 
-  WidePairWalk(const WideTree* const (&trees)[2], const TreeTransform (&transforms)[2])
-      : state_(trees, transforms) {}
+  WidePairWalk(const WideTree* const (&trees)[2], const TreeTransform (&transforms)[2], Goal goal)
+      : goal_(goal), state_(trees, transforms) {}
 
+  Goal goal_;
   State state_;
   WideWalkCounts counts_;
 };

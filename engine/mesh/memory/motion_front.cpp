@@ -12,7 +12,7 @@ namespace {
 constexpr double kMostDue = 0.7;
 constexpr double kMostLookedAt = 0.35;
 constexpr std::size_t kMostNearPairs = 250;  // distances that are asked for in one pass
-constexpr int kLongestRest = 64;             // queries for which a front rests
+constexpr int kLongestRest = 64;             // queries for which a front use_up_rest
 
 /// The share of the edges of the smaller mesh's box, added up, that is fast: if B goes so far in
 /// one query, it has to have done so before, or no front is begun for it.
@@ -139,7 +139,7 @@ void MotionFront::give_up() {
   next_rest_ = std::min(4 * next_rest_, kLongestRest);
 }
 
-bool MotionFront::rests() {
+bool MotionFront::use_up_rest() {
   if (is_in_use_ || rest_ == 0) return false;
   --rest_;
   return true;
@@ -198,7 +198,7 @@ std::optional<bvh::WideFront::Pass> MotionFront::start_pass(const bvh::WideTree&
     }
     update_prediction({b_in_a, a_in_b});
     const bvh::WideFront::Pass pass = front_.start_pass(kind_);
-    const bool is_worth_it = !is_jump_ || front_.share_due(pass, limit) <= kMostDue;
+    const bool is_worth_it = !is_jump_ || front_.share_spent(pass, limit) <= kMostDue;
     if (is_worth_it && !has_many_near_pairs(pass, limit)) {
       const bool is_kept = kind_ == bvh::WideFront::Kind::Distance || worth_.is_surely_worth_it();
       if (passes_ >= kEnoughPasses && is_kept) next_rest_ = 1;
@@ -257,7 +257,7 @@ void MotionFront::update(const bvh::WideFront::Pass& pass, double limit, Work& w
   const bvh::WideFront::Counts counts = front_.take_counts();
   if (passes_++ == 0) {
     first_size_ = front_.size();
-    if (front_.share_due(pass, limit + step_) > kMostDue) give_up();
+    if (front_.share_spent(pass, limit + step_) > kMostDue) give_up();
   } else if (kind_ == bvh::WideFront::Kind::Intersection) {
     learn(pass, FrontWorth::cost_of_pass(counts, front_.unsure_count()));
   } else if (static_cast<double>(front_.looked_at()) >

@@ -81,9 +81,9 @@ class MotionFront {
   /// True if there is a front that follows the motion.
   bool is_in_use() const { return is_in_use_; }
 
-  /// True if this query should do without the front, because that rests for some queries. It counts
-  /// down.
-  bool rests();
+  /// True if this query should do without the front, because that rests for some queries. Then it
+  /// counts as one of these.
+  bool use_up_rest();
 
   /// Takes note that in so many queries no point of B has moved by more than the step (common
   /// units).

@@ -59,15 +59,16 @@ class IntersectionQuery {
 
   /// True if the boxes around both meshes prove that they are apart: then the cache keeps the gap.
   /// They are not asked while a front is in use, which holds these boxes, too.
-  bool are_far_apart() {
+  bool are_boxes_apart() {
     if (cache_.intersection_front.is_in_use()) return false;
     if (!query_.are_far_apart(work_)) return false;
     cache_.learn_gap(gap_of_bounds(query_));
     return true;
   }
 
-  /// True if triangles that touched when last asked still do.
-  bool does_cached_pair_touch() {
+  /// True if any of the pairs that touched when last asked, of which the cache keeps up to eight,
+  /// still does.
+  bool does_any_cached_pair_touch() {
     const std::span<const TrianglePair> pairs = cache_.pairs();
     if (pairs.empty()) return false;
     Candidates candidates(touch_, work_);
@@ -93,7 +94,7 @@ class IntersectionQuery {
   /// is no front that can answer: then it calls for none.
   template <typename OnPair>
   bool ask_front(OnPair&& on_pair) {
-    if (cache_.intersection_front.rests() || !cache_.add_motion(query_)) return false;
+    if (cache_.intersection_front.use_up_rest() || !cache_.add_motion(query_)) return false;
     const bvh::RelativeFrame a_in_b = query_.a_in_b();
     const auto pass = cache_.intersection_front.start_pass(query_.tree_a, query_.tree_b,
                                                            query_.b_in_a, a_in_b, 0);
@@ -120,9 +121,9 @@ class IntersectionQuery {
   template <typename OnPair>
   void walk(OnPair&& on_pair) {
     Work done;
-    bvh::WidePairWalk walk = query_.walk();
+    bvh::WidePairWalk walk = query_.walk(bvh::WidePairWalk::Goal::AnyPair);
     Candidates candidates(touch_, done);
-    const bvh::Walk end = query_.decide_at_once(walk, candidates, on_pair);
+    const bvh::Walk end = query_.decide_any(walk, candidates, on_pair);
     add_counts(walk.counts(), done);
     if (end == bvh::Walk::Continue) cache_.intersection_front.learn_walk(done);
     work_ += done;
@@ -154,8 +155,8 @@ HWY_NOINLINE bool do_surfaces_meet(const PlacedMeshView& mesh_a, const PlacedMes
                                    PairCache& cache, Touch touch, Work* work) {
   CountedWork counted(work);
   IntersectionQuery query(mesh_a, mesh_b, cache, touch, counted.work());
-  if (query.are_far_apart()) return false;
-  if (query.does_cached_pair_touch()) return true;
+  if (query.are_boxes_apart()) return false;
+  if (query.does_any_cached_pair_touch()) return true;
   // After a hit another is likelier than a gap.
   const bool was_apart = cache.pairs().empty();
   TrianglePair found[PairCache::kMostPairs];
@@ -188,7 +189,7 @@ HWY_NOINLINE TrianglePairs find_pairs(const PlacedMeshView& mesh_a, const Placed
   CountedWork counted(work);
   TrianglePairs found;
   IntersectionQuery query(mesh_a, mesh_b, cache, settings.touch, counted.work());
-  if (query.are_far_apart()) return found;
+  if (query.are_boxes_apart()) return found;
   const bool is_done = query.ask_front([&](TrianglePair pair) {
     if (found.pairs.empty()) found.pairs.reserve(std::min(cache.pairs_found, settings.limit));
     found.pairs.push_back(pair);
@@ -212,7 +213,7 @@ HWY_NOINLINE TrianglePairs find_shared_pairs(const PlacedMeshView& mesh_a,
                                              const PlacedMeshView& mesh_b, PairCache& cache,
                                              const SharedPairSettings& settings, Work* work) {
   CountedWork counted(work);
-  if (IntersectionQuery(mesh_a, mesh_b, cache, settings.touch, counted.work()).are_far_apart())
+  if (IntersectionQuery(mesh_a, mesh_b, cache, settings.touch, counted.work()).are_boxes_apart())
     return {};
   TrianglePairs found = find_triangle_pairs(mesh_a, mesh_b, settings, &counted.work());
   remember(found, cache);

@@ -38,7 +38,7 @@ class NearQuery {
   template <typename OnPair>
   bool ask_front(OnPair&& on_pair) {
     MotionFront& near = cache_.distance_front;
-    if (near.rests() || !cache_.add_motion(query_)) return false;
+    if (near.use_up_rest() || !cache_.add_motion(query_)) return false;
     auto pass = near.start_pass(query_.tree_a, query_.tree_b, query_.b_in_a, query_.a_in_b(),
                                 box_limit_.units());
     if (!pass) return false;
@@ -116,9 +116,9 @@ class NearQuery {
 };
 
 /// Takes note of where B is in A. Returns whether it moved so far there since distance() was last
-/// asked that this is no motion but a jump to another pose: what was nearest bounds little then,
+/// asked that this is no motion but a step to another pose: what was nearest bounds little then,
 /// and a front would have to open all that is nearer.
-bool has_jumped(const PlacedMeshView& a, const PlacedMeshView& b, PairCache& cache) {
+bool came_by_far_step(const PlacedMeshView& a, const PlacedMeshView& b, PairCache& cache) {
   const Eigen::Matrix3d back = a.pose.linear().transpose();
   Pose now = Pose::Identity();
   now.linear() = back * b.pose.linear();
@@ -171,9 +171,9 @@ MeshDistance distance(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b
     PairCache& cache = recall(memory, mesh_a, mesh_b);
     const WideQuery query(mesh_a, mesh_b, cache.deviation_a(), cache.deviation_b(), counted.work());
     const std::optional<TrianglePair> hint = cache.nearest ? cache.nearest : settings.hint;
-    const bool is_jump = has_jumped(mesh_a, mesh_b, cache);
+    const bool is_far_step = came_by_far_step(mesh_a, mesh_b, cache);
     // After a touch another is likelier than a gap; a walk decides which touching pair is returned.
-    const bool may_touch = !cache.nearest || cache.was_touching || is_jump;
+    const bool may_touch = !cache.nearest || cache.was_touching || is_far_step;
     MeshDistance best = may_touch ? find_distance(query, hint, counted.work())
                                   : find_nearest(query, *hint, cache, counted.work());
     cache.nearest = best.pair;

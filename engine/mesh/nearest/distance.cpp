@@ -128,9 +128,9 @@ struct Meeting {
 Meeting find_meeting(const WideQuery& query, Work& work) {
   Meeting meeting;
   if (query.are_far_apart(work)) return meeting;
-  bvh::WidePairWalk walk = query.walk();
+  bvh::WidePairWalk walk = query.walk(bvh::WidePairWalk::Goal::AllPairs);
   Candidates candidates(Touch::Include, work);
-  query.decide_each_step(walk, candidates, [&](TrianglePair pair) {
+  query.decide_first_in_order(walk, candidates, [&](TrianglePair pair) {
     meeting.met = pair;
     return bvh::Walk::Stop;
   });
@@ -229,17 +229,17 @@ std::optional<TrianglePair> find_within(const WideQuery& query, double clearance
     if (known.distance <= clearance) return hint;
     search.aim_along(known);
   }
-  std::optional<TrianglePair> is_within;
+  std::optional<TrianglePair> found_pair;
   double nearest = std::numeric_limits<double>::infinity();
   search.run([&](TrianglePair pair, const TriangleDistance& found) {
-    if (found.distance <= clearance) is_within = pair;
+    if (found.distance <= clearance) found_pair = pair;
     if (found.distance < nearest) {
       nearest = found.distance;
       search.aim_along(found);
     }
-    return is_within ? bvh::Walk::Stop : bvh::Walk::Continue;
+    return found_pair ? bvh::Walk::Stop : bvh::Walk::Continue;
   });
-  return is_within;
+  return found_pair;
 }
 
 bool within(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b, double clearance,

@@ -97,7 +97,7 @@ class SureVertices {
         fans_(fans_of(mesh.triangles(), mesh.welded())) {}
 
   bool is_sure(std::uint32_t vertex) {
-    fetch(fans_.first[vertex] + kFetched);
+    prefetch(fans_.first[vertex] + kFetched);
     const std::span<const std::uint32_t> around = fans_.around(vertex);
     if (around.empty() || !ring_.gather(vertex, around, corners_) || !ring_.sort()) return false;
     const Eigen::Vector3d* rays[VertexFan::kMostRays];
@@ -112,7 +112,7 @@ class SureVertices {
   /// does.
   static constexpr std::uint32_t kFetched = 32;
 
-  void fetch(std::uint32_t first) const {
+  void prefetch(std::uint32_t first) const {
     for (std::uint32_t i = first; i < first + 6 && i < fans_.triangles.size(); ++i)
       hwy::Prefetch(&corners_[fans_.triangles[i]]);
   }

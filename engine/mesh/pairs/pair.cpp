@@ -32,7 +32,7 @@ void for_each_wide_pair(const PlacedMeshView& a, const PlacedMeshView& b, Touch 
   if (are_balls_apart(a, b, &work)) return;
   const WideQuery query(a, b, work);
   if (query.are_far_apart(work)) return;
-  bvh::WidePairWalk walk = query.walk();
+  bvh::WidePairWalk walk = query.walk(bvh::WidePairWalk::Goal::AllPairs);
   Candidates candidates(touch, work);
   query.decide_all(walk, candidates, on_pair);
   add_counts(walk.counts(), work);
@@ -41,10 +41,10 @@ void for_each_wide_pair(const PlacedMeshView& a, const PlacedMeshView& b, Touch 
 bool has_wide_pair(const PlacedMeshView& a, const PlacedMeshView& b, Touch touch, Work& work) {
   const WideQuery query(a, b, work);
   if (query.are_far_apart(work)) return false;
-  bvh::WidePairWalk walk = query.walk();
+  bvh::WidePairWalk walk = query.walk(bvh::WidePairWalk::Goal::AnyPair);
   Candidates candidates(touch, work);
   const bvh::Walk end =
-      query.decide_at_once(walk, candidates, [](TrianglePair) { return bvh::Walk::Stop; });
+      query.decide_any(walk, candidates, [](TrianglePair) { return bvh::Walk::Stop; });
   add_counts(walk.counts(), work);
   return end == bvh::Walk::Stop;
 }

@@ -23,7 +23,10 @@ auto into(std::vector<TrianglePair>& found) {
 class ParallelPairs {
  public:
   ParallelPairs(const WideQuery& query, Touch touch, int threads)
-      : query_(query), touch_(touch), threads_(threads), first_(query.walk()) {}
+      : query_(query),
+        touch_(touch),
+        threads_(threads),
+        first_(query.walk(bvh::WidePairWalk::Goal::AllPairs)) {}
 
   std::vector<TrianglePair> run(Work& work) {
     std::vector<TrianglePair> found;

@@ -121,7 +121,7 @@ class MeshForRays {
   }
 
   /// Fetches the corners of the first candidate.
-  void fetch_corners(const Candidates& found) const {
+  void prefetch_corners(const Candidates& found) const {
     if (found.size == 0) return;
     for (const std::uint32_t vertex : triangles_[found.items[0].primitive])
       __builtin_prefetch(vertices_ + vertex);
@@ -224,7 +224,7 @@ void first_hits(const MeshForRays& mesh, std::span<const Ray> rays, std::optiona
     mesh.begin(turn.walk, turn.ray.emplace(rays[i]), bvh::RayAim::First, nullptr, turn.found);
   }
   for (std::size_t i = 0; i < rays.size(); ++i)
-    mesh.fetch_corners(in_turn[i].found);
+    mesh.prefetch_corners(in_turn[i].found);
   for (std::size_t i = 0; i < rays.size(); ++i) {
     RayInTurn& turn = in_turn[i];
     hits[i].reset();

@@ -41,16 +41,16 @@ class Candidates {
     narrowphase::Verdicts verdicts;
     if (batch_.size() != 0) verdicts = narrowphase::triage(batch_);
     work_.triangle_tests += batch_.size();
-    const std::uint64_t crossing = crossing_;
+    bvh::Walk next = bvh::Walk::Continue;
+    int lane = 0;
+    for (std::size_t i = 0; i < size && next == bvh::Walk::Continue; ++i) {
+      const bool is_met = (crossing_ >> i & 1) != 0 || does_lane_meet(verdicts, lane++);
+      if (is_met) next = on_pair(pairs_[i]);
+    }
     batch_.clear();
     size_ = 0;
     crossing_ = 0;
-    int lane = 0;
-    for (std::size_t i = 0; i < size; ++i) {
-      const bool is_met = (crossing >> i & 1) != 0 || does_lane_meet(verdicts, lane++);
-      if (is_met && on_pair(pairs_[i]) == bvh::Walk::Stop) return bvh::Walk::Stop;
-    }
-    return bvh::Walk::Continue;
+    return next;
   }
 
  private:

@@ -11,6 +11,8 @@
 #include <graze/narrowphase/triangle_pair/placed_triangle.h>
 #include <hwy/cache_control.h>
 
+#include <cassert>
+
 namespace graze {
 
 /// The triangles of a placed mesh, one by one.
@@ -29,8 +31,8 @@ struct PlacedTriangles {
 
   /// Fetch a triangle's indices and its corners. Large meshes are not in the cache, and where a
   /// triangle's corners stand is known last.
-  void fetch_indices(std::uint32_t index) const { hwy::Prefetch(&triangles[index]); }
-  void fetch_corners(std::uint32_t index) const {
+  void prefetch_indices(std::uint32_t index) const { hwy::Prefetch(&triangles[index]); }
+  void prefetch_corners(std::uint32_t index) const {
     for (const std::uint32_t corner : triangles[index])
       hwy::Prefetch(&vertices[corner]);
   }
@@ -90,7 +92,9 @@ struct WideQuery {
 
   bvh::RelativeFrame a_in_b() const { return reversed(b_in_a, frame_a, frame_b); }
 
-  bvh::WidePairWalk walk() const { return {tree_a, tree_b, b_in_a, a_in_b()}; }
+  bvh::WidePairWalk walk(bvh::WidePairWalk::Goal goal) const {
+    return {tree_a, tree_b, b_in_a, a_in_b(), goal};
+  }
 
   TrianglePair pair_at(const bvh::PlacePair& places) const {
     return {tree_a.primitive(places.a), tree_b.primitive(places.b)};
@@ -104,7 +108,7 @@ struct WideQuery {
   bvh::Walk decide_found(std::span<const bvh::FoundPair> found, Candidates& candidates,
                          OnPair&& on_pair) const {
     for (std::size_t i = 0; i < found.size(); ++i) {
-      fetch_ahead(found, i);
+      prefetch_ahead(found, i);
       const TrianglePair pair = pair_at(found[i].places);
       if (found[i].do_cross) {
         candidates.add_crossing(pair);
@@ -117,10 +121,11 @@ struct WideQuery {
     return bvh::Walk::Continue;
   }
 
-  /// Decides all that a walk still finds. Calls `on_pair(pair)` for each pair that meets, until it
-  /// answers Stop.
+  /// Decides all that a walk to all pairs still finds. Calls `on_pair(pair)` for each pair that
+  /// meets, until it answers Stop.
   template <typename OnPair>
   bvh::Walk decide_all(bvh::WidePairWalk& walk, Candidates& candidates, OnPair&& on_pair) const {
+    assert(walk.goal() == bvh::WidePairWalk::Goal::AllPairs);
     bvh::FoundPair found[bvh::WidePairWalk::kMany];
     while (const std::size_t count = walk.next(found)) {
       if (decide_found({found, count}, candidates, on_pair) == bvh::Walk::Stop)
@@ -130,11 +135,12 @@ struct WideQuery {
   }
 
   /// Does the same, in the same order, for a query that the first of these pairs ends: what each
-  /// step of the walk has found is decided before the next one.
+  /// round of next() has found is decided before the next round.
   template <typename OnPair>
-  bvh::Walk decide_each_step(bvh::WidePairWalk& walk, Candidates& candidates,
-                             OnPair&& on_pair) const {
-    // The walk mostly stops after each of its steps where there is hardly more room than for one.
+  bvh::Walk decide_first_in_order(bvh::WidePairWalk& walk, Candidates& candidates,
+                                  OnPair&& on_pair) const {
+    assert(walk.goal() == bvh::WidePairWalk::Goal::AllPairs);
+    // A round mostly ends after one step of the walk where there is hardly more room than for one.
     bvh::FoundPair found[bvh::WidePairWalk::kOneStep];
     while (const std::size_t count = walk.next(found)) {
       if (decide_found({found, count}, candidates, on_pair) == bvh::Walk::Stop)
@@ -144,13 +150,12 @@ struct WideQuery {
     return bvh::Walk::Continue;
   }
 
-  /// Does the same for a query that any pair ends: what one step of the walk has found is decided
-  /// before the next one, for it is likely to be the last.
+  /// Does the same, in any order, for a query that any pair ends, with a walk to any pair: what one
+  /// round of next() has found is decided before the next round, for it is likely to be the last.
   template <typename OnPair>
-  bvh::Walk decide_at_once(bvh::WidePairWalk& walk, Candidates& candidates,
-                           OnPair&& on_pair) const {
+  bvh::Walk decide_any(bvh::WidePairWalk& walk, Candidates& candidates, OnPair&& on_pair) const {
+    assert(walk.goal() == bvh::WidePairWalk::Goal::AnyPair);
     bvh::FoundPair found[bvh::WidePairWalk::kMostAtOnce];
-    walk.look_elsewhere();
     while (const std::size_t count = walk.next(found)) {
       for (std::size_t i = 0; i < count; ++i) {
         if (found[i].do_cross && on_pair(pair_at(found[i].places)) == bvh::Walk::Stop)
@@ -164,18 +169,18 @@ struct WideQuery {
   }
 
  private:
-  void fetch_ahead(std::span<const bvh::FoundPair> found, std::size_t i) const {
+  void prefetch_ahead(std::span<const bvh::FoundPair> found, std::size_t i) const {
     constexpr std::size_t kIndicesAhead = 8;
     constexpr std::size_t kCornersAhead = 4;
     if (i + kIndicesAhead < found.size() && !found[i + kIndicesAhead].do_cross) {
       const TrianglePair pair = pair_at(found[i + kIndicesAhead].places);
-      triangles_a.fetch_indices(pair.a);
-      triangles_b.fetch_indices(pair.b);
+      triangles_a.prefetch_indices(pair.a);
+      triangles_b.prefetch_indices(pair.b);
     }
     if (i + kCornersAhead < found.size() && !found[i + kCornersAhead].do_cross) {
       const TrianglePair pair = pair_at(found[i + kCornersAhead].places);
-      triangles_a.fetch_corners(pair.a);
-      triangles_b.fetch_corners(pair.b);
+      triangles_a.prefetch_corners(pair.a);
+      triangles_b.prefetch_corners(pair.b);
     }
   }
 };

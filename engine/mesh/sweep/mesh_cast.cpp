@@ -23,7 +23,7 @@ namespace {
 /// Finds what meets before anything moves.
 void ask_start(const WideQuery& query, EarliestMeeting& earliest, Work& work) {
   if (query.are_far_apart(work)) return;
-  bvh::WidePairWalk walk = query.walk();
+  bvh::WidePairWalk walk = query.walk(bvh::WidePairWalk::Goal::AllPairs);
   Candidates candidates(Touch::Include, work);
   query.decide_all(walk, candidates, [&](TrianglePair pair) {
     earliest.ask_at_start(pair, query.triangle_a(pair), query.triangle_b(pair));

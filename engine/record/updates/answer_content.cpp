@@ -199,7 +199,7 @@ class ContactSearch {
   /// the one asked before. Takes O(log of how far away they are).
   std::span<const BodyContact> of(const BodyPair& pair) {
     const std::uint64_t place = place_of(pair);
-    fetch();
+    prefetch();
     std::size_t step = 1;
     for (; at_ < all_.size() && place_at(at_) < place; step *= 2)
       at_ += step;
@@ -224,7 +224,7 @@ class ContactSearch {
  private:
   std::uint64_t place_at(std::size_t index) const { return place_of(all_[index].pair); }
 
-  void fetch() {
+  void prefetch() {
     static_assert(kBytesAhead <= sizeof(BodyContact));
     const std::size_t end = std::min(all_.size(), at_ + kContactsAhead);
     for (fetched_ = std::max(fetched_, at_); fetched_ < end; ++fetched_) {

@@ -25,7 +25,7 @@ class ContactList {
     if (count_ != 0 && !(last_ < pair)) note_no_less(pair);
     last_ = pair;
     write(pair, manifold, list_[count_++]);
-    if (count_ < list_.size()) fetch(list_[count_]);
+    if (count_ < list_.size()) prefetch(list_[count_]);
   }
 
   /// Makes room for the contacts of another list behind all that are there. Returns the first of
@@ -71,7 +71,7 @@ class ContactList {
     contact.manifold = manifold;
   }
   /// Fetches the memory that the next manifold is written to, if it has one contact.
-  static void fetch(const BodyContact& next) {
+  static void prefetch(const BodyContact& next) {
     __builtin_prefetch(&next, 1);
     constexpr std::ptrdiff_t kLine = 64;
     for (std::ptrdiff_t at = kLine; at < 4 * kLine; at += kLine)

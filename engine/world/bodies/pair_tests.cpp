@@ -85,24 +85,24 @@ void World::State::search_partners(std::span<const std::uint32_t> bodies, Partne
   for (BoxPair& each : search.asked) {
     each.b = body_of_box[each.b];
     hwy::Prefetch(&all.changes[each.b]);
-    candidates.fetch(ordered_pair(each.a, each.b));
+    candidates.prefetch(ordered_pair(each.a, each.b));
   }
   for (const BoxPair& each : search.asked) {
     if (all.changes[each.b].has_changed && each.b < each.a) continue;
     const std::uint32_t at = candidates.position(ordered_pair(each.a, each.b));
     if (at == CandidatePairs::kNowhere) continue;
     search.found.push_back(at);
-    candidates.fetch(at);
+    candidates.prefetch(at);
   }
   for (const std::uint32_t at : search.found) {
     if (is_apart_for_sure(at)) continue;
     search.due.push_back(at);
-    fetch(candidates.list()[at]);
+    prefetch(candidates.list()[at]);
   }
 }
 
 /// Prefetches the bodies of a pair, which may lie anywhere in memory.
-void World::State::fetch(BoxPair pair) const {
+void World::State::prefetch(BoxPair pair) const {
   for (const std::uint32_t index : {pair.a, pair.b}) {
     const char* body = reinterpret_cast<const char*>(&all.bodies[index]);
     constexpr std::size_t kLine = 64;
@@ -185,7 +185,7 @@ void World::State::test_pairs_at_rest() {
 void World::State::test_in_order(PairQuestion question, std::size_t ahead) {
   if (threads > 1 && are_worth_sharing()) return test_in_batches(question);
   for (std::size_t i = 0; i < order.size(); ++i) {
-    if (ahead != 0) fetch_ahead(i, ahead);
+    if (ahead != 0) prefetch_ahead(i, ahead);
     const PairAnswer answer = answer_of(order[i], question, news.contacts);
     tell(order[i], question, answer, news);
     note_answer(order[i], question, answer);
@@ -194,8 +194,8 @@ void World::State::test_in_order(PairQuestion question, std::size_t ahead) {
   }
 }
 
-void World::State::fetch_ahead(std::size_t i, std::size_t ahead) const {
-  if (i + ahead < order.size()) fetch(candidates.list()[order[i + ahead]]);
+void World::State::prefetch_ahead(std::size_t i, std::size_t ahead) const {
+  if (i + ahead < order.size()) prefetch(candidates.list()[order[i + ahead]]);
 }
 
 /// Puts the pairs into batches. True if these take long enough for more than one thread.
@@ -211,7 +211,7 @@ bool World::State::are_worth_sharing() {
 /// Asks the pairs in `order` on all threads, and takes note of the answers.
 void World::State::test_in_batches(PairQuestion question) {
   batches.ask_all(workers, threads, [&](std::uint32_t i, PairBatch& batch) -> PairAnswer {
-    fetch_ahead(i, kAhead);
+    prefetch_ahead(i, kAhead);
     const BoxPair pair = candidates.list()[order[i]];
     const Bodies::Changes &a = all.changes[pair.a], &b = all.changes[pair.b];
     if (a.is_for_caller || b.is_for_caller) return {.kind = PairAnswer::Kind::ForCaller};

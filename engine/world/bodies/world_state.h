@@ -124,8 +124,8 @@ class CandidatePairs {
   }
   std::uint32_t position(BoxPair pair) const { return index_.position(list_, pair); }
   /// Prefetch what position() reads first, and what is known of the pair there.
-  void fetch(BoxPair pair) const { index_.prefetch(pair); }
-  void fetch(std::uint32_t at) const {
+  void prefetch(BoxPair pair) const { index_.prefetch(pair); }
+  void prefetch(std::uint32_t at) const {
     __builtin_prefetch(&states_[at]);
     __builtin_prefetch(&known_gaps_[at]);
   }
@@ -312,7 +312,8 @@ struct World::State {
   void list_partners_of(std::uint32_t index, const Aabb& box, double others_travel);
   SweptAnswer ask_swept_pair(BoxPair pair) const;
   void ask_swept_pairs();
-  void list_changes();
+  /// Sorts what an update found, takes out what cancels, and counts what it did not ask.
+  void sort_news();
   void end_pairs();
   void end_parted_pairs();
   void begin_pairs();
@@ -322,8 +323,8 @@ struct World::State {
   void list_due_part(std::size_t part);
   void list_due_partners();
   void search_partners(std::span<const std::uint32_t> bodies, PartnerSearch& search);
-  void fetch(BoxPair pair) const;
-  void fetch_ahead(std::size_t i, std::size_t ahead) const;
+  void prefetch(BoxPair pair) const;
+  void prefetch_ahead(std::size_t i, std::size_t ahead) const;
   bool is_due(BoxPair pair) const;
   bool is_anyone_up(BoxPair pair) const { return all.is_up(pair.a) || all.is_up(pair.b); }
   bool is_apart_for_sure(std::uint32_t at);

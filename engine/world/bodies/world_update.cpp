@@ -169,7 +169,7 @@ void World::State::find_changes() {
   removed = 0;
 }
 
-void World::State::list_changes() {
+void World::State::sort_news() {
   for (std::vector<BodyPair>* list :
        {&news.begun, &news.ended, &news.begun_near, &news.ended_near, &news.moved}) {
     if (!std::is_sorted(list->begin(), list->end())) std::sort(list->begin(), list->end());
@@ -205,7 +205,7 @@ WorldUpdate World::update() {
       const UpdatingScope updating(state.is_updating, state.is_cut_short);
       state.find_changes();
       state.find_first_contacts();
-      state.list_changes();
+      state.sort_news();
       state.all.ids.prepare_round();  // after keep_up_islands() nothing may throw
       state.keep_up_islands();
       state.all.ids.next_round();

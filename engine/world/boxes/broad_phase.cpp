@@ -76,7 +76,7 @@ struct BroadPhase::State {
   bvh::OrderedBox box(std::uint32_t index) {
     if (is_ready.load(std::memory_order_acquire)) return tracker.set().store().box(index);
     const std::lock_guard lock(preparing);
-    tracker.end_waiting();
+    tracker.make_waiting_changes();
     return tracker.set().store().box(index);
   }
 };

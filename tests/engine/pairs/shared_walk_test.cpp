@@ -59,7 +59,7 @@ TEST_F(SharedWalkTest, ManyWalkersFindEachPairOnce) {
   ASSERT_GT(expected.size(), 300u);
   std::vector<std::vector<TrianglePair>> found(4);
   std::atomic<std::size_t> turns = 0;
-  bvh::WidePairWalk first = query_.walk();
+  bvh::WidePairWalk first = query_.walk(bvh::WidePairWalk::Goal::AllPairs);
   SharedWalk::Turn first_turn = shared_.begin();
   std::vector<std::thread> others;
   for (std::size_t i = 1; i < found.size(); ++i) {
@@ -82,7 +82,7 @@ TEST_F(SharedWalkTest, ManyWalkersFindEachPairOnce) {
 
 TEST_F(SharedWalkTest, IsWantedWhileSomebodyWaitsInVain) {
   EXPECT_FALSE(shared_.is_wanted());
-  bvh::WidePairWalk walk = query_.walk();
+  bvh::WidePairWalk walk = query_.walk(bvh::WidePairWalk::Goal::AllPairs);
   SharedWalk::Turn turn = shared_.begin();
   bvh::WidePairWalk of_other = walk.another();
   std::thread other([&] {
@@ -104,7 +104,7 @@ TEST_F(SharedWalkTest, AWalkThatThrowsEndsItsTurn) {
   try {
     const SharedWalk::Turn turn = shared_.begin();
     other = std::thread([&] {
-      bvh::WidePairWalk walk = query_.walk();
+      bvh::WidePairWalk walk = query_.walk(bvh::WidePairWalk::Goal::AllPairs);
       EXPECT_FALSE(shared_.take(walk));
     });
     while (!shared_.is_wanted())
