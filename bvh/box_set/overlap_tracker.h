@@ -1,6 +1,7 @@
 #pragma once
 
 #include <graze/bvh/box_set/box_set.h>
+#include <graze/bvh/box_set/former_boxes.h>
 #include <graze/bvh/box_set/search/pair_index.h>
 #include <graze/bvh/box_set/search/pair_lists.h>
 
@@ -10,26 +11,6 @@
 #include <vector>
 
 namespace graze::bvh {
-
-/// Keeps where boxes were before they moved, and finds which of them overlapped there. Near ones
-/// should be added one after the other: that order is the tree's.
-class FormerBoxes {
- public:
-  void clear();
-  void add(std::uint32_t number, const OrderedBox& box);
-
-  /// Finds all pairs of numbers whose boxes overlap, exactly, each once.
-  void find_pairs(PairBuffer& out);
-
-  std::size_t bytes() const;
-
- private:
-  std::vector<Block> high_;
-  std::vector<LowBlock> low_;
-  std::vector<std::uint32_t> number_;
-  std::size_t size_ = 0;
-  Layer layer_;
-};
 
 /// A box set, the list of its overlapping pairs, and what the last update changed in that list.
 ///

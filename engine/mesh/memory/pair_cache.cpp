@@ -20,6 +20,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <memory>
 
 namespace graze {
 namespace {
@@ -171,6 +172,13 @@ bool PairCache::add_motion(const WideQuery& query) {
 void PairCache::remember(std::span<const TrianglePair> found) {
   pair_count_ = std::min(found.size(), kMostPairs);
   std::copy_n(found.begin(), pair_count_, pairs_.begin());
+}
+
+PairCache& recall(PairMemory& memory, const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b) {
+  if (!memory.cache_ || !memory.cache_->is_about(mesh_a, mesh_b))
+    memory.cache_ = std::make_unique<PairCache>(mesh_a.mesh, mesh_b.mesh);
+  memory.cache_->place(mesh_a.pose, mesh_b.pose);
+  return *memory.cache_;
 }
 
 double gap_of_bounds(const WideQuery& query) {

@@ -38,13 +38,6 @@ std::uint64_t PairMemory::still_touching() const {
   return cache_ ? cache_->still_touching : 0;
 }
 
-PairCache& recall(PairMemory& memory, const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b) {
-  if (!memory.cache_ || !memory.cache_->is_about(mesh_a, mesh_b))
-    memory.cache_ = std::make_unique<PairCache>(mesh_a.mesh, mesh_b.mesh);
-  memory.cache_->place(mesh_a.pose, mesh_b.pose);
-  return *memory.cache_;
-}
-
 namespace {
 
 /// A query of two meshes of which it is not known that they are apart.

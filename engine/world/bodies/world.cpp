@@ -291,6 +291,19 @@ void World::set_role(BodyId id, Role role) {
   state_->journal.tell(BodyChange::Role, state_->all, id.index);
 }
 
+void World::set_detection(BodyId id, Detection detection) {
+  State& state = *state_;
+  Bodies::Body& body = state.body(id, "set_detection");
+  if (detection == Detection::Continuous) {
+    state.movers.forget(id.index);
+    if (body.detection != detection) state.movers.add_swept();
+  } else if (body.detection != detection) {
+    state.movers.remove_swept();
+  }
+  body.detection = detection;
+  state.journal.tell(BodyChange::Detection, state.all, id.index);
+}
+
 void World::set_margin(BodyId id, double margin) {
   bvh::in_standard_arithmetic([&] {
     State& state = *state_;

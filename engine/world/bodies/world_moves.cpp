@@ -109,17 +109,4 @@ void World::move(BodyId id, const RigidMotion& motion) {
   });
 }
 
-void World::set_detection(BodyId id, Detection detection) {
-  State& state = *state_;
-  Bodies::Body& body = state.body(id, "set_detection");
-  if (detection == Detection::Continuous) {
-    state.movers.forget(id.index);
-    if (body.detection != detection) state.movers.add_swept();
-  } else if (body.detection != detection) {
-    state.movers.remove_swept();
-  }
-  body.detection = detection;
-  state.journal.tell(BodyChange::Detection, state.all, id.index);
-}
-
 }  // namespace graze
