@@ -1,5 +1,4 @@
 #include <graze/bvh/box_set/overlap_tracker.h>
-#include <graze/bvh/box_set/search/pair_kernels.h>
 
 #include <algorithm>
 #include <new>
