@@ -2,7 +2,6 @@
 
 #include <graze/narrowphase/touch.h>
 #include <graze/narrowphase/triangle.h>
-#include <graze/narrowphase/verdict.h>
 
 namespace graze {
 
@@ -19,20 +18,4 @@ bool crosses(const Triangle& triangle_a, const Triangle& triangle_b);
 /// Answers intersects() or crosses(), as `touch` says. Throws InputError for a policy that is none.
 bool intersects(const Triangle& triangle_a, const Triangle& triangle_b, Touch touch);
 
-namespace narrowphase {
-
-/// Returns what intersects() answers under this policy, with the stage that decided.
-Decision decide(const Triangle& triangle_a, const Triangle& triangle_b, Touch touch);
-
-/// Asks the floating-point stage of crosses() alone: Yes means that they cross. Input that is not
-/// finite is Unsure.
-Verdict crossing_triage(const Triangle& triangle_a, const Triangle& triangle_b);
-
-/// Asks the exact stage of crosses() alone. Throws as crosses() does.
-bool crosses_exactly(const Triangle& triangle_a, const Triangle& triangle_b);
-
-/// Throws InputError for a value that is no policy.
-void check_touch(Touch touch);
-
-}  // namespace narrowphase
 }  // namespace graze

@@ -3,7 +3,6 @@
 #include <graze/bvh/aabb.h>
 #include <graze/bvh/obb.h>
 #include <graze/narrowphase/triangle.h>
-#include <graze/narrowphase/verdict.h>
 
 namespace graze {
 
@@ -20,20 +19,4 @@ bool intersects(const Triangle& triangle, const Aabb& box);
 /// way into the frame.
 bool intersects(const Triangle& triangle, const Obb& box);
 
-namespace narrowphase {
-
-/// Transforms into the frame of an oriented box as law 3 says, without checking either argument.
-Eigen::Vector3d point_into_frame(const Eigen::Vector3d& point, const Pose& frame);
-Triangle into_frame(const Triangle& triangle, const Pose& frame);
-
-/// Returns what intersects() answers, with the stage that decided.
-Decision decide(const Triangle& triangle, const Aabb& box);
-
-/// Asks the floating-point stage alone. Input that is not finite is Unsure.
-Verdict triage(const Triangle& triangle, const Aabb& box);
-
-/// Asks the exact stage alone. Throws as intersects() does.
-bool intersects_exactly(const Triangle& triangle, const Aabb& box);
-
-}  // namespace narrowphase
 }  // namespace graze

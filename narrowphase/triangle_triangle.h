@@ -1,7 +1,6 @@
 #pragma once
 
 #include <graze/narrowphase/triangle.h>
-#include <graze/narrowphase/verdict.h>
 
 namespace graze {
 
@@ -12,17 +11,4 @@ namespace graze {
 /// predicates", Journal of Graphics Tools 8(1), 2003.
 bool intersects(const Triangle& triangle_a, const Triangle& triangle_b);
 
-namespace narrowphase {
-
-/// Returns what intersects() answers, with the stage that decided.
-Decision decide(const Triangle& triangle_a, const Triangle& triangle_b);
-
-/// Asks the floating-point stage alone, which is sure or unsure (law 6). Input that is not finite
-/// is Unsure.
-Verdict triage(const Triangle& triangle_a, const Triangle& triangle_b);
-
-/// Asks the exact stage alone. Throws as intersects() does.
-bool intersects_exactly(const Triangle& triangle_a, const Triangle& triangle_b);
-
-}  // namespace narrowphase
 }  // namespace graze

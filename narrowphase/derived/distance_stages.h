@@ -4,8 +4,8 @@
 // rounded once the nearest features are known.
 
 #include <graze/narrowphase/derived/nearest_features.h>
+#include <graze/narrowphase/predicates/verdict.h>
 #include <graze/narrowphase/triangle_distance.h>
-#include <graze/narrowphase/verdict.h>
 #include <array>
 #include <optional>
 

@@ -3,8 +3,8 @@
 // Finds how far a point is from a triangle, in less time than the distance of a triangle and one
 // that is a point takes. Private to the library.
 
+#include <graze/narrowphase/predicates/verdict.h>
 #include <graze/narrowphase/triangle_distance.h>
-#include <graze/narrowphase/verdict.h>
 
 namespace graze::narrowphase {
 

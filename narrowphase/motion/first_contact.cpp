@@ -5,6 +5,8 @@
 #include <graze/narrowphase/motion/near_contact.h>
 #include <graze/narrowphase/motion/path_checks.h>
 #include <graze/narrowphase/motion/rounded_contact.h>
+#include <graze/narrowphase/triangle_pair/crossing_stages.h>
+#include <graze/narrowphase/triangle_pair/triangle_triangle_stages.h>
 #include <graze/narrowphase/triangle_triangle.h>
 
 namespace graze {

@@ -10,8 +10,8 @@
 
 #include <graze/bvh/value/ray_slabs.h>
 #include <graze/narrowphase/predicates/predicates.h>
+#include <graze/narrowphase/predicates/verdict.h>
 #include <graze/narrowphase/triangle_ray.h>
-#include <graze/narrowphase/verdict.h>
 
 namespace graze::narrowphase {
 

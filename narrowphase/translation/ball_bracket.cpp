@@ -3,6 +3,7 @@
 // the first of these times and a little after it. So nothing hangs on how the times were found.
 
 #include <graze/narrowphase/translation/ball_bracket.h>
+#include <graze/narrowphase/volumes/spheres/triangle_sphere_stages.h>
 #include <graze/narrowphase/volumes/triangle_sphere.h>
 
 #include <Eigen/Geometry>

@@ -13,6 +13,7 @@
 
 #include <graze/narrowphase/motion/root_sign.h>
 #include <graze/narrowphase/translation/ball_features.h>
+#include <graze/narrowphase/volumes/spheres/triangle_sphere_stages.h>
 #include <graze/narrowphase/volumes/triangle_sphere.h>
 
 #include <utility>

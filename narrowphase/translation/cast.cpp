@@ -4,6 +4,7 @@
 #include <graze/narrowphase/motion/path_checks.h>
 #include <graze/narrowphase/translation/displacement.h>
 #include <graze/narrowphase/translation/meeting_time.h>
+#include <graze/narrowphase/triangle_pair/triangle_triangle_stages.h>
 #include <graze/narrowphase/triangle_triangle.h>
 
 #include <cmath>

@@ -10,7 +10,7 @@
 // corners, the box's corners, v, h and f. H <= M, V <= K + M <= S. c is off by at most u M, hence v
 // by u (M + V); h by u H; f by u F. F is at most 2 V, up to such errors.
 
-#include <graze/narrowphase/verdict.h>
+#include <graze/narrowphase/predicates/verdict.h>
 
 namespace graze::narrowphase {
 

@@ -2,6 +2,8 @@
 #include <graze/bvh/value/checks.h>
 #include <graze/narrowphase/predicates/predicates.h>
 #include <graze/narrowphase/triangle_box.h>
+#include <graze/narrowphase/triangle_box/box_frame.h>
+#include <graze/narrowphase/triangle_box/triangle_box_stages.h>
 
 namespace graze {
 namespace narrowphase {

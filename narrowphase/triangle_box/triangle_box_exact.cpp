@@ -3,6 +3,7 @@
 #include <graze/narrowphase/predicates/fixed_point.h>
 #include <graze/narrowphase/predicates/predicates.h>
 #include <graze/narrowphase/triangle_box.h>
+#include <graze/narrowphase/triangle_box/triangle_box_stages.h>
 #include <algorithm>
 
 namespace graze::narrowphase {

@@ -6,6 +6,7 @@
 #include <graze/narrowphase/predicates/coordinates.h>
 #include <graze/narrowphase/triangle_box.h>
 #include <graze/narrowphase/triangle_box/remaining_axes.h>
+#include <graze/narrowphase/triangle_box/triangle_box_stages.h>
 #include <algorithm>
 #include <cmath>
 #include <limits>

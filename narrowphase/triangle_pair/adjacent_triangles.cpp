@@ -2,6 +2,7 @@
 #include <graze/narrowphase/predicates/coplanar.h>
 #include <graze/narrowphase/predicates/orientation_stages.h>
 #include <graze/narrowphase/triangle_pair/adjacent_triangles.h>
+#include <graze/narrowphase/triangle_pair/triangle_triangle_stages.h>
 #include <graze/narrowphase/triangle_triangle.h>
 #include <cmath>
 #include <optional>

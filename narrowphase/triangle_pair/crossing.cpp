@@ -1,7 +1,9 @@
 #include <graze/bvh/error.h>
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/narrowphase/crossing.h>
+#include <graze/narrowphase/triangle_pair/crossing_stages.h>
 #include <graze/narrowphase/triangle_pair/triangle_pair_batch.h>
+#include <graze/narrowphase/triangle_pair/triangle_triangle_stages.h>
 #include <graze/narrowphase/triangle_triangle.h>
 #include <string>
 

@@ -14,6 +14,8 @@
 #include <graze/narrowphase/predicates/orientation_stages.h>
 #include <graze/narrowphase/predicates/plane_sides.h>
 #include <graze/narrowphase/predicates/predicates.h>
+#include <graze/narrowphase/triangle_pair/crossing_stages.h>
+#include <graze/narrowphase/triangle_pair/triangle_triangle_stages.h>
 #include <graze/narrowphase/triangle_triangle.h>
 
 #include <optional>

@@ -8,6 +8,7 @@
 #include <graze/narrowphase/predicates/coordinates.h>
 #include <graze/narrowphase/predicates/plane_sides.h>
 #include <graze/narrowphase/predicates/predicates.h>
+#include <graze/narrowphase/triangle_pair/crossing_stages.h>
 #include <graze/narrowphase/triangle_pair/inside_contact.h>
 
 #include <algorithm>

@@ -2,9 +2,9 @@
 
 #include <graze/narrowphase/lanes/triangle_rows.h>
 #include <graze/narrowphase/lanes/verdicts.h>
+#include <graze/narrowphase/predicates/verdict.h>
 #include <graze/narrowphase/touch.h>
 #include <graze/narrowphase/triangle.h>
-#include <graze/narrowphase/verdict.h>
 
 #include <cstddef>
 #include <cstdint>

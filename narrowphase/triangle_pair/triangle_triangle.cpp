@@ -5,7 +5,9 @@
 #include <graze/narrowphase/predicates/fixed_point.h>
 #include <graze/narrowphase/predicates/plane_sides.h>
 #include <graze/narrowphase/predicates/predicates.h>
+#include <graze/narrowphase/triangle_pair/crossing_stages.h>
 #include <graze/narrowphase/triangle_pair/triangle_pair_batch.h>
+#include <graze/narrowphase/triangle_pair/triangle_triangle_stages.h>
 #include <graze/narrowphase/triangle_triangle.h>
 
 #include <algorithm>

@@ -5,6 +5,7 @@
 #include <graze/narrowphase/lanes/verdicts.h>
 #include <graze/narrowphase/predicates/coordinates.h>
 #include <graze/narrowphase/triangle_pair/triangle_pair_batch.h>
+#include <graze/narrowphase/triangle_pair/triangle_triangle_stages.h>
 #include <graze/narrowphase/triangle_triangle.h>
 #include <cstdint>
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <graze/bvh/aabb.h>
-#include <graze/narrowphase/verdict.h>
 #include <graze/narrowphase/volumes/ellipsoid.h>
 
 namespace graze {
@@ -13,11 +12,4 @@ namespace graze {
 bool intersects(const Ellipsoid& ellipsoid, const Aabb& box);
 bool intersects(const Aabb& box, const Ellipsoid& ellipsoid);
 
-namespace narrowphase {
-
-/// Returns what intersects() answers for valid volumes, with the stage that decided. Does not check
-/// them.
-Decision decide(const Ellipsoid& ellipsoid, const Aabb& box);
-
-}  // namespace narrowphase
 }  // namespace graze

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <graze/narrowphase/verdict.h>
 #include <graze/narrowphase/volumes/hollow_volumes.h>
 
 namespace graze {
@@ -21,13 +20,4 @@ bool intersects(const Aabb& box, const HollowSphere& sphere);
 bool intersects(const HollowSphere& sphere, const HollowAabb& box);
 bool intersects(const HollowAabb& box, const HollowSphere& sphere);
 
-namespace narrowphase {
-
-/// Returns what intersects() answers for valid volumes, with the stage that decided. Does not check
-/// them.
-Decision decide(const Sphere& sphere, const HollowAabb& box);
-Decision decide(const HollowSphere& sphere, const Aabb& box);
-Decision decide(const HollowSphere& sphere, const HollowAabb& box);
-
-}  // namespace narrowphase
 }  // namespace graze

@@ -27,15 +27,4 @@ struct AabbArray {
   std::size_t size() const { return min[0].size(); }
 };
 
-namespace narrowphase {
-
-/// Throw InputError, which begins with `what`, unless all arrays have one length.
-void check_lengths(const SphereArray& spheres, const char* what);
-void check_lengths(const AabbArray& boxes, const char* what);
-
-/// Returns element `index` as it is, unchecked.
-Sphere element(const SphereArray& spheres, std::size_t index);
-Aabb element(const AabbArray& boxes, std::size_t index);
-
-}  // namespace narrowphase
 }  // namespace graze

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <graze/bvh/sphere.h>
-#include <graze/narrowphase/verdict.h>
 #include <Eigen/Core>
 
 namespace graze {
@@ -16,15 +15,4 @@ bool intersects(const Sphere& sphere_a, const Sphere& sphere_b);
 /// Throws InputError for a bad sphere or a point that is not finite.
 bool contains(const Sphere& sphere, const Eigen::Vector3d& point);
 
-namespace narrowphase {
-
-/// Returns what intersects() answers for valid spheres, with the stage that decided. Does not check
-/// them.
-Decision decide(const Sphere& sphere_a, const Sphere& sphere_b);
-
-/// Returns what contains() answers for a valid sphere, with the stage that decided. Does not check
-/// it.
-Decision decide_contains(const Sphere& sphere, const Eigen::Vector3d& point);
-
-}  // namespace narrowphase
 }  // namespace graze

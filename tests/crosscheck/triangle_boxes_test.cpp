@@ -1,5 +1,6 @@
 #include <graze/engine/compare/referee.h>
 #include <graze/narrowphase/triangle_box.h>
+#include <graze/narrowphase/triangle_box/triangle_box_stages.h>
 #include <tests/crosscheck/corpus_run.h>
 #include <tests/crosscheck/permutations.h>
 #include <tests/oracle/case_text.h>

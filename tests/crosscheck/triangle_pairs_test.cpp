@@ -1,5 +1,6 @@
 #include <graze/engine/compare/referee.h>
 #include <graze/narrowphase/triangle_pair/triangle_pair_batch.h>
+#include <graze/narrowphase/triangle_pair/triangle_triangle_stages.h>
 #include <graze/narrowphase/triangle_triangle.h>
 #include <tests/crosscheck/corpus_run.h>
 #include <tests/crosscheck/permutations.h>

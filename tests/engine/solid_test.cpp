@@ -5,6 +5,7 @@
 #include <graze/engine/mesh/self.h>
 #include <graze/engine/mesh/volume_query.h>
 #include <graze/narrowphase/triangle_box.h>
+#include <graze/narrowphase/triangle_box/box_frame.h>
 #include <graze/narrowphase/triangle_triangle.h>
 #include <gtest/gtest.h>
 

@@ -1,4 +1,5 @@
 #include <graze/engine/compare/referee.h>
+#include <graze/narrowphase/triangle_pair/triangle_triangle_stages.h>
 #include <graze/narrowphase/triangle_triangle.h>
 #include <tests/fuzz/byte_shapes.h>
 #include <tests/oracle/case_text.h>

@@ -1,5 +1,7 @@
 #include <graze/bvh/error.h>
 #include <graze/narrowphase/crossing.h>
+#include <graze/narrowphase/triangle_pair/crossing_stages.h>
+#include <graze/narrowphase/triangle_pair/triangle_triangle_stages.h>
 #include <graze/narrowphase/triangle_triangle.h>
 #include <gtest/gtest.h>
 

@@ -2,7 +2,9 @@
 // its integers against expansions and long integers.
 
 #include <graze/narrowphase/triangle_box.h>
+#include <graze/narrowphase/triangle_box/triangle_box_stages.h>
 #include <graze/narrowphase/triangle_pair/triangle_pair_batch.h>
+#include <graze/narrowphase/triangle_pair/triangle_triangle_stages.h>
 #include <graze/narrowphase/triangle_triangle.h>
 #include <gtest/gtest.h>
 

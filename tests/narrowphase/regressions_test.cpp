@@ -1,6 +1,8 @@
 #include <graze/engine/cases/read_case.h>
 #include <graze/engine/compare/referee.h>
 #include <graze/narrowphase/triangle_box.h>
+#include <graze/narrowphase/triangle_box/triangle_box_stages.h>
+#include <graze/narrowphase/triangle_pair/triangle_triangle_stages.h>
 #include <graze/narrowphase/triangle_triangle.h>
 #include <gtest/gtest.h>
 

@@ -1,5 +1,6 @@
 #include <graze/narrowphase/triangle_box.h>
 #include <graze/narrowphase/triangle_box/triangle_box_batch.h>
+#include <graze/narrowphase/triangle_box/triangle_box_stages.h>
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,5 +1,7 @@
 #include <graze/bvh/error.h>
 #include <graze/narrowphase/triangle_box.h>
+#include <graze/narrowphase/triangle_box/box_frame.h>
+#include <graze/narrowphase/triangle_box/triangle_box_stages.h>
 #include <gtest/gtest.h>
 
 #include <cmath>

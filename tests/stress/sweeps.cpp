@@ -2,6 +2,7 @@
 
 #include <graze/engine/compare/referee.h>
 #include <graze/engine/mesh/placement.h>
+#include <graze/narrowphase/triangle_pair/triangle_triangle_stages.h>
 #include <graze/narrowphase/triangle_triangle.h>
 
 #include "tests/shapes/random_meshes.h"

@@ -2,6 +2,7 @@
 #include <graze/engine/mesh/distance.h>
 #include <graze/engine/mesh/placement.h>
 #include <graze/narrowphase/triangle_distance.h>
+#include <graze/narrowphase/triangle_pair/triangle_triangle_stages.h>
 #include <graze/narrowphase/triangle_triangle.h>
 
 #include <fmt/format.h>

@@ -6,7 +6,7 @@
 
 #include <graze/engine/cli/reports/separated_boxes.h>
 #include <graze/engine/mesh/pair.h>
-#include <graze/narrowphase/verdict.h>
+#include <graze/narrowphase/predicates/verdict.h>
 
 namespace graze::cli {
 

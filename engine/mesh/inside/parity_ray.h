@@ -7,6 +7,7 @@
 #include <graze/engine/work.h>
 #include <graze/narrowphase/ray/axis_line.h>
 #include <graze/narrowphase/triangle_box.h>
+#include <graze/narrowphase/triangle_box/triangle_box_stages.h>
 
 #include <algorithm>
 #include <limits>

@@ -11,6 +11,7 @@
 #include <graze/engine/mesh/placement.h>
 #include <graze/engine/mesh/placing/relative_frame.h>
 #include <graze/narrowphase/triangle_box.h>
+#include <graze/narrowphase/triangle_box/box_frame.h>
 #include <graze/narrowphase/triangle_pair/placed_triangle.h>
 
 #include <algorithm>

@@ -1,6 +1,8 @@
 #include <graze/engine/mesh/motion/feature_contacts.h>
 #include <graze/narrowphase/crossing.h>
 #include <graze/narrowphase/motion/contact_stages.h>
+#include <graze/narrowphase/triangle_pair/crossing_stages.h>
+#include <graze/narrowphase/triangle_pair/triangle_triangle_stages.h>
 #include <graze/narrowphase/triangle_triangle.h>
 
 #include <algorithm>

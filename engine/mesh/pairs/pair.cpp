@@ -11,6 +11,7 @@
 #include <graze/engine/mesh/query/threads.h>
 #include <graze/engine/mesh/query/wide_query.h>
 #include <graze/narrowphase/crossing.h>
+#include <graze/narrowphase/triangle_pair/crossing_stages.h>
 
 #include <algorithm>
 

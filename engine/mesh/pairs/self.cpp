@@ -9,6 +9,7 @@
 #include <graze/engine/mesh/query/query_results.h>
 #include <graze/engine/mesh/self.h>
 #include <graze/narrowphase/triangle_pair/adjacent_triangles.h>
+#include <graze/narrowphase/triangle_pair/triangle_triangle_stages.h>
 #include <graze/narrowphase/triangle_triangle.h>
 #include <hwy/cache_control.h>
 

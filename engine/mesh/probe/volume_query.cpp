@@ -12,7 +12,10 @@
 #include <graze/engine/mesh/query/query_results.h>
 #include <graze/engine/mesh/volume_query.h>
 #include <graze/narrowphase/triangle_box.h>
+#include <graze/narrowphase/triangle_box/box_frame.h>
+#include <graze/narrowphase/triangle_box/triangle_box_stages.h>
 #include <graze/narrowphase/triangle_pair/placed_triangle.h>
+#include <graze/narrowphase/volumes/spheres/triangle_sphere_stages.h>
 #include <graze/narrowphase/volumes/triangle_sphere.h>
 
 #include <algorithm>

@@ -9,6 +9,7 @@
 #include <graze/narrowphase/translation/ball_bracket.h>
 #include <graze/narrowphase/translation/ball_meeting.h>
 #include <graze/narrowphase/translation/displacement.h>
+#include <graze/narrowphase/volumes/spheres/triangle_sphere_stages.h>
 #include <graze/narrowphase/volumes/triangle_sphere.h>
 
 #include <algorithm>

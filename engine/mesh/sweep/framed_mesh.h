@@ -2,6 +2,7 @@
 
 #include <graze/engine/mesh/placed_mesh.h>
 #include <graze/narrowphase/triangle_box.h>
+#include <graze/narrowphase/triangle_box/box_frame.h>
 #include <graze/narrowphase/triangle_pair/placed_triangle.h>
 
 namespace graze::contacts {

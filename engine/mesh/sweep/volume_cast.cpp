@@ -10,6 +10,7 @@
 #include <graze/engine/mesh/volume_cast.h>
 #include <graze/narrowphase/translation/displacement.h>
 #include <graze/narrowphase/triangle_box.h>
+#include <graze/narrowphase/triangle_box/triangle_box_stages.h>
 #include <graze/narrowphase/triangle_intersection.h>
 #include <graze/narrowphase/triangle_pair/placed_triangle.h>
 

@@ -2,6 +2,7 @@
 #include <graze/engine/mesh/voxel/voxel_descent.h>
 #include <graze/narrowphase/ray/axis_line.h>
 #include <graze/narrowphase/triangle_box.h>
+#include <graze/narrowphase/triangle_box/triangle_box_stages.h>
 
 #include <algorithm>
 

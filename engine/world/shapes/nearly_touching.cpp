@@ -6,7 +6,10 @@
 #include <graze/narrowphase/convex/gap/closed_gap.h>
 #include <graze/narrowphase/derived/double_pair.h>
 #include <graze/narrowphase/triangle_box.h>
+#include <graze/narrowphase/triangle_box/box_frame.h>
+#include <graze/narrowphase/triangle_box/triangle_box_stages.h>
 #include <graze/narrowphase/volumes/obb_rows.h>
+#include <graze/narrowphase/volumes/spheres/triangle_sphere_stages.h>
 #include <graze/narrowphase/volumes/triangle_sphere.h>
 
 #include <algorithm>

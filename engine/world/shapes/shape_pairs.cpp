@@ -12,9 +12,12 @@
 #include <graze/engine/world/shapes/pair_functions.h>
 #include <graze/engine/world/shapes/placed_core.h>
 #include <graze/narrowphase/triangle_box.h>
+#include <graze/narrowphase/triangle_box/box_frame.h>
+#include <graze/narrowphase/triangle_box/triangle_box_stages.h>
 #include <graze/narrowphase/triangle_pair/placed_triangle.h>
 #include <graze/narrowphase/volumes/sphere_box.h>
 #include <graze/narrowphase/volumes/sphere_overlap.h>
+#include <graze/narrowphase/volumes/spheres/sphere_stages.h>
 
 #include <algorithm>
 #include <array>

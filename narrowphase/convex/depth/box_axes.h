@@ -1,7 +1,7 @@
 #pragma once
 
 #include <graze/narrowphase/convex/depth/penetration.h>
-#include <graze/narrowphase/verdict.h>
+#include <graze/narrowphase/predicates/verdict.h>
 
 namespace graze::narrowphase {
 

@@ -2,6 +2,7 @@
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/bvh/value/checks.h>
 #include <graze/narrowphase/triangle_box.h>
+#include <graze/narrowphase/triangle_box/box_frame.h>
 #include <graze/narrowphase/volumes/contains.h>
 #include <cmath>
 #include <string>

@@ -9,6 +9,7 @@
 #include <graze/narrowphase/predicates/exact_vector.h>
 #include <graze/narrowphase/volumes/ellipsoid_box.h>
 #include <graze/narrowphase/volumes/spheres/sphere_distance.h>
+#include <graze/narrowphase/volumes/spheres/sphere_stages.h>
 #include <cmath>
 #include <string>
 

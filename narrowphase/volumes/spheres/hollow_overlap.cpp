@@ -9,6 +9,7 @@
 #include <graze/narrowphase/predicates/exact_vector.h>
 #include <graze/narrowphase/volumes/hollow_overlap.h>
 #include <graze/narrowphase/volumes/spheres/sphere_distance.h>
+#include <graze/narrowphase/volumes/spheres/sphere_stages.h>
 #include <algorithm>
 #include <cmath>
 

@@ -1,5 +1,6 @@
 #include <graze/bvh/error.h>
 #include <graze/narrowphase/volumes/sphere_arrays.h>
+#include <graze/narrowphase/volumes/spheres/array_elements.h>
 #include <string>
 
 namespace graze::narrowphase {

@@ -6,8 +6,10 @@
 #include <graze/narrowphase/volumes/sphere_batch.h>
 #include <graze/narrowphase/volumes/sphere_box.h>
 #include <graze/narrowphase/volumes/sphere_overlap.h>
+#include <graze/narrowphase/volumes/spheres/array_elements.h>
 #include <graze/narrowphase/volumes/spheres/sphere_distance.h>
 #include <graze/narrowphase/volumes/spheres/sphere_kernels.h>
+#include <graze/narrowphase/volumes/spheres/sphere_stages.h>
 #include <algorithm>
 #include <string>
 

@@ -1,7 +1,10 @@
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/bvh/value/checks.h>
 #include <graze/narrowphase/triangle_box.h>
+#include <graze/narrowphase/triangle_box/box_frame.h>
+#include <graze/narrowphase/triangle_box/triangle_box_stages.h>
 #include <graze/narrowphase/volumes/sphere_box.h>
+#include <graze/narrowphase/volumes/spheres/sphere_stages.h>
 
 namespace graze {
 namespace narrowphase {

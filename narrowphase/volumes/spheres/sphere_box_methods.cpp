@@ -4,6 +4,7 @@
 
 #include <graze/narrowphase/volumes/sphere_box.h>
 #include <graze/narrowphase/volumes/spheres/sphere_distance.h>
+#include <graze/narrowphase/volumes/spheres/sphere_stages.h>
 #include <cmath>
 
 namespace graze::narrowphase {

@@ -3,6 +3,7 @@
 #include <graze/bvh/value/checks.h>
 #include <graze/narrowphase/volumes/sphere_overlap.h>
 #include <graze/narrowphase/volumes/spheres/sphere_distance.h>
+#include <graze/narrowphase/volumes/spheres/sphere_stages.h>
 #include <cmath>
 #include <string>
 

@@ -9,6 +9,7 @@
 #include <graze/bvh/value/checks.h>
 #include <graze/narrowphase/predicates/exact_vector.h>
 #include <graze/narrowphase/predicates/predicates.h>
+#include <graze/narrowphase/volumes/spheres/triangle_sphere_stages.h>
 #include <graze/narrowphase/volumes/triangle_sphere.h>
 
 namespace graze {

@@ -4,6 +4,7 @@
 // found. So the guess may be wrong: that costs a sure answer, never a right one. Notation as in
 // predicates.cpp: u is the unit roundoff, n the smallest double.
 
+#include <graze/narrowphase/volumes/spheres/triangle_sphere_stages.h>
 #include <graze/narrowphase/volumes/triangle_sphere.h>
 #include <algorithm>
 #include <cmath>

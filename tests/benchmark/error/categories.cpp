@@ -3,6 +3,8 @@
 #include <graze/bvh/error.h>
 #include <graze/engine/compare/referee.h>
 #include <graze/narrowphase/triangle_box.h>
+#include <graze/narrowphase/triangle_box/triangle_box_stages.h>
+#include <graze/narrowphase/triangle_pair/triangle_triangle_stages.h>
 #include <graze/narrowphase/triangle_triangle.h>
 #include <tests/oracle/case_text.h>
 #include <tests/oracle/category.h>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <graze/narrowphase/verdict.h>
+#include <graze/narrowphase/predicates/verdict.h>
 
 #include <cstddef>
 #include <cstdint>

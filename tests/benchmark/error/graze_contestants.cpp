@@ -2,7 +2,9 @@
 
 #include <graze/narrowphase/triangle_box.h>
 #include <graze/narrowphase/triangle_box/triangle_box_batch.h>
+#include <graze/narrowphase/triangle_box/triangle_box_stages.h>
 #include <graze/narrowphase/triangle_pair/triangle_pair_batch.h>
+#include <graze/narrowphase/triangle_pair/triangle_triangle_stages.h>
 #include <graze/narrowphase/triangle_triangle.h>
 
 #include <tests/benchmark/triangles/block_answers.h>

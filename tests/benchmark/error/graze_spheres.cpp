@@ -1,6 +1,7 @@
 #include <graze/narrowphase/volumes/sphere_batch.h>
 #include <graze/narrowphase/volumes/sphere_box.h>
 #include <graze/narrowphase/volumes/sphere_overlap.h>
+#include <graze/narrowphase/volumes/spheres/sphere_stages.h>
 
 #include <array>
 #include <cstddef>

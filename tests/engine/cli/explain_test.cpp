@@ -8,6 +8,7 @@
 #include <graze/engine/mesh/distance.h>
 #include <graze/engine/mesh/placement.h>
 #include <graze/narrowphase/crossing.h>
+#include <graze/narrowphase/triangle_pair/crossing_stages.h>
 #include <gtest/gtest.h>
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <graze/narrowphase/triangle_pair/placed_triangle.h>
+#include <graze/narrowphase/triangle_pair/triangle_triangle_stages.h>
 #include <graze/narrowphase/triangle_triangle.h>
 
 #include "tests/engine/floating_point/environments.h"

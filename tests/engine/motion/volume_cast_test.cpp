@@ -5,6 +5,7 @@
 #include <graze/engine/mesh/volume_cast.h>
 #include <graze/engine/mesh/volume_query.h>
 #include <graze/narrowphase/triangle_box.h>
+#include <graze/narrowphase/triangle_box/box_frame.h>
 #include <gtest/gtest.h>
 
 #include <cmath>

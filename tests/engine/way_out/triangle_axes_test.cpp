@@ -1,4 +1,5 @@
 #include <graze/engine/world/contacts/meshes/triangle_axes.h>
+#include <graze/narrowphase/triangle_pair/triangle_triangle_stages.h>
 #include <graze/narrowphase/triangle_triangle.h>
 #include <gtest/gtest.h>
 

@@ -1,5 +1,6 @@
 #include <graze/bvh/error.h>
 #include <graze/narrowphase/derived/distance_stages.h>
+#include <graze/narrowphase/triangle_pair/triangle_triangle_stages.h>
 #include <graze/narrowphase/triangle_triangle.h>
 #include <gtest/gtest.h>
 

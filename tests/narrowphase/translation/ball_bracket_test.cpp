@@ -1,6 +1,7 @@
 // What rounded arithmetic says of when a ball meets a triangle, beside rational arithmetic.
 
 #include <graze/narrowphase/translation/ball_bracket.h>
+#include <graze/narrowphase/volumes/spheres/triangle_sphere_stages.h>
 #include <graze/narrowphase/volumes/triangle_sphere.h>
 #include <gtest/gtest.h>
 

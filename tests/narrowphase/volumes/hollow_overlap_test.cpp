@@ -1,6 +1,7 @@
 #include <graze/bvh/error.h>
 #include <graze/narrowphase/volumes/hollow_overlap.h>
 #include <graze/narrowphase/volumes/sphere_box.h>
+#include <graze/narrowphase/volumes/spheres/sphere_stages.h>
 #include <gtest/gtest.h>
 
 #include "tests/narrowphase/volumes/rational_spheres.h"

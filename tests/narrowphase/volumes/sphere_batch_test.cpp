@@ -1,5 +1,6 @@
 #include <graze/bvh/error.h>
 #include <graze/narrowphase/volumes/sphere_batch.h>
+#include <graze/narrowphase/volumes/spheres/array_elements.h>
 #include <graze/narrowphase/volumes/sphere_box.h>
 #include <graze/narrowphase/volumes/sphere_overlap.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,6 @@
 #include <graze/bvh/error.h>
 #include <graze/narrowphase/volumes/sphere_overlap.h>
+#include <graze/narrowphase/volumes/spheres/sphere_stages.h>
 #include <gtest/gtest.h>
 
 #include "tests/narrowphase/volumes/rational_spheres.h"

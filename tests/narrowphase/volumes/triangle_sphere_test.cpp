@@ -1,4 +1,5 @@
 #include <graze/bvh/error.h>
+#include <graze/narrowphase/volumes/spheres/triangle_sphere_stages.h>
 #include <graze/narrowphase/volumes/triangle_sphere.h>
 #include <gtest/gtest.h>
 

@@ -9,6 +9,8 @@
 #include <graze/engine/world/shape_bounds.h>
 #include <graze/engine/world/shape_pairs.h>
 #include <graze/narrowphase/triangle_box.h>
+#include <graze/narrowphase/triangle_box/box_frame.h>
+#include <graze/narrowphase/triangle_box/triangle_box_stages.h>
 
 #include <algorithm>
 #include <cmath>

@@ -8,6 +8,8 @@
 #include <graze/engine/compare/judge/shape_judge.h>
 #include <graze/engine/mesh/placement.h>
 #include <graze/narrowphase/triangle_box.h>
+#include <graze/narrowphase/triangle_box/box_frame.h>
+#include <graze/narrowphase/triangle_box/triangle_box_stages.h>
 
 #include <algorithm>
 #include <array>

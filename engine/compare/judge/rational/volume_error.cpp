@@ -2,6 +2,7 @@
 #include <graze/engine/compare/judge/rational/rational_box.h>
 #include <graze/engine/compare/judge/rational/volume_error.h>
 #include <graze/narrowphase/triangle_box.h>
+#include <graze/narrowphase/triangle_box/box_frame.h>
 
 #include <algorithm>
 #include <cmath>
