@@ -9,6 +9,7 @@
 #include <graze/narrowphase/predicates/predicates.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <sstream>
@@ -190,6 +191,56 @@ TEST(BodySide, WhatIsInFrontOfACornerIsInFrontHoweverItIsTessellated) {
     EXPECT_FALSE(
         find_contacts({spike}, {Sphere{{0, 0, 0}, 0.05}, tests::at(0, 0, -2)}, {.sides_a = sides})
             .empty());
+  }
+}
+
+/// A plate over [-2, 2]^2 whose front is up.
+Mesh plate_of(std::uint32_t cells) {
+  std::vector<Vector3d> vertices;
+  std::vector<TriangleIndices> triangles;
+  for (std::uint32_t j = 0; j <= cells; ++j) {
+    for (std::uint32_t i = 0; i <= cells; ++i)
+      vertices.push_back({4.0 * i / cells - 2, 4.0 * j / cells - 2, 0});
+  }
+  for (std::uint32_t j = 0; j < cells; ++j) {
+    for (std::uint32_t i = 0; i < cells; ++i) {
+      const std::uint32_t at = j * (cells + 1) + i, beyond = at + cells + 1;
+      triangles.push_back({at, at + 1, beyond + 1});
+      triangles.push_back({at, beyond + 1, beyond});
+    }
+  }
+  return Mesh(vertices, triangles);
+}
+
+// Near a border the way straight ahead may be shorter than that in front. It is as long as it says,
+// though the body touches nothing on it, and has an end: what is beyond the border is behind
+// nothing.
+TEST(BodySide, WhatIsUnderABorderLeavesAheadOrInFront) {
+  const MeshSides sides = MeshSides::one_sided(1);
+  for (const std::uint32_t cells : {1u, 2u, 5u}) {
+    const Shape plate = plate_of(cells);
+    for (const Shape& body : {Shape(Sphere{{0, 0, 0}, 0.25}), Shape(Box{{0.25, 0.25, 0.25}}),
+                              Shape(tests::tessellated_box({0.25, 0.25, 0.25}, 2))}) {
+      for (const double x : {0.0, 1.3, 1.8, 1.95, 2.05, 2.2, 2.3, 2.9}) {
+        for (const double z : {-0.26, -0.375, -0.625, -0.9375}) {
+          SCOPED_TRACE(
+              (std::ostringstream() << cells << " " << name_of(body.kind()) << " " << x << " " << z)
+                  .str());
+          const double in_front = 0.25 - z, ahead = 2.25 - x;
+          const Pose pose = tests::at(x, 0.125, z);
+          const Manifold found = find_contacts({body, pose}, {plate}, {.sides_b = sides});
+          ASSERT_EQ(found.empty(), ahead < 0);
+          if (found.empty()) continue;
+          EXPECT_NEAR(found[0].depth, std::min(in_front, ahead), 1e-9);
+          const Vector3d out = in_front < ahead ? Vector3d{0, 0, 1} : Vector3d{1, 0, 0};
+          EXPECT_NEAR((found[0].normal + out).norm(), 0, 1e-9);
+          EXPECT_NEAR((found[0].point_a - found[0].point_b).dot(-out), found[0].depth, 1e-9);
+          Pose after = pose;
+          after.translation() += out * (1.001 * found[0].depth);
+          EXPECT_TRUE(find_contacts({body, after}, {plate}, {.sides_b = sides}).empty());
+        }
+      }
+    }
   }
 }
 

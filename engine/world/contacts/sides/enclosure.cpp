@@ -2,6 +2,7 @@
 #include <graze/bvh/value/number_text.h>
 #include <graze/engine/mesh/containment.h>
 #include <graze/engine/mesh/data/orientation.h>
+#include <graze/engine/mesh/volume_query.h>
 #include <graze/engine/world/contacts/local_parting.h>
 #include <graze/engine/world/contacts/sides/body_side.h>
 #include <graze/engine/world/contacts/sides/enclosure.h>
@@ -10,6 +11,7 @@
 #include <graze/engine/world/shapes/mesh_descent.h>
 #include <graze/engine/world/shapes/pair_input.h>
 #include <graze/engine/world/shapes/placed_core.h>
+#include <graze/narrowphase/convex/core/segments.h>
 #include <graze/narrowphase/triangle_pair/placed_triangle.h>
 
 #include <algorithm>
@@ -101,7 +103,35 @@ bool Enclosure::is_inside() const {
 
 bool Enclosure::is_behind() const {
   const ShapeDistance nearest = distance(body_, {mesh_.mesh, mesh_.pose}, &work_);
-  return nearest.distance <= sides_.thickness() && graze::is_behind(body_, mesh_, nearest, work_);
+  return nearest.distance <= sides_.thickness() && graze::is_behind(body_, mesh_, nearest, work_) &&
+         !is_beside(nearest.point_b);
+}
+
+/// True if the surface ends at its point that is nearest to the body, and no part of the body is
+/// behind it there: it is wholly beyond the border, so that the way straight ahead has no length.
+bool Enclosure::is_beside(const Eigen::Vector3d& nearest) const {
+  if (mesh_.mesh.topology().is_closed) return false;
+  static thread_local Scratch scratch;  // no pair is looked at within another
+  const Eigen::Vector3d origin = middle_of(body_.shape, body_.pose);
+  const Core core = this->core(origin, scratch);
+  const FacingFeatures features(mesh_, to_vec3(origin));
+  const Vec3 at = to_vec3(nearest) - to_vec3(origin);
+  const double scale = largest(to_vec3(nearest)) + largest(to_vec3(origin)) + length(at);
+  const Sphere around{nearest, std::max(kNegligible * scale, 0x1p-1000)};
+  const TriangleList found = find_triangles(mesh_, around, {}, &work_);
+  return std::any_of(found.triangles.begin(), found.triangles.end(), [&](std::uint32_t index) {
+    const Core triangle = features.placed_triangle(index);
+    if (FacingFeatures::is_sliver(triangle)) return false;
+    const Vec3 normal = LocalPartings::normal_of(triangle);
+    for (int k = 0; k < 3; ++k) {
+      const Vec3& from = triangle.corner[k];
+      const Vec3 along = unit_or(triangle.corner[(k + 1) % 3] - from, {0, 0, 0});
+      if (length(cross(along, at - from)) > around.radius || features.across(index, k)) continue;
+      const Vec3 ahead = unit_or(cross(along, normal), normal);
+      if (dot(ahead, from - rounded_support(core, -ahead)) <= 0) return true;
+    }
+    return false;
+  });
 }
 
 Core Enclosure::core(const Eigen::Vector3d& origin, Scratch& scratch) const {
@@ -156,13 +186,14 @@ class Enclosure::Exits {
     if (is_same(past_face.exit, sought)) found.offer(past_face, triangle);
   }
 
- private:
+  /// Returns the exit through the face of a triangle that is no sliver.
   LocalParting past_face_of(std::uint32_t index, const Core& triangle) const {
     const Vec3 normal = LocalPartings::normal_of(triangle);
     const Vec3 last = rounded_support(core_, -normal);
     return {index, {normal, dot(normal, triangle.corner[0] - last)}};
   }
 
+ private:
   bool is_same(const narrowphase::Exit& exit, const narrowphase::Exit& sought) const {
     return is_one_direction(exit.direction, sought.direction) &&
            std::abs(exit.depth - sought.depth) <= allowance_;
@@ -180,6 +211,9 @@ class Enclosure::Exits {
     };
     if (parting.feature == LeftFeature::Face) return leaves(parting.triangle, triangle);
     if (parting.feature == LeftFeature::Corner) {
+      if (sides_ == Sides::OneSided &&
+          is_at_border(features_.vertex(parting.triangle, parting.which)))
+        return true;
       narrowphase::Core corner;
       corner.at = triangle.corner[parting.which];
       return meets(exit, corner);
@@ -194,10 +228,22 @@ class Enclosure::Exits {
     return meets(exit, edge_core(triangle.corner[k], triangle.corner[(k + 1) % 3]));
   }
 
+  /// True if the surface ends at a vertex: what is behind it leaves straight ahead there, and need
+  /// not touch it.
+  bool is_at_border(std::uint32_t vertex) const {
+    const std::span<const std::uint32_t> fan = features_.fan(vertex);
+    return std::any_of(fan.begin(), fan.end(), [&](std::uint32_t index) {
+      for (int k = 0; k < 3; ++k) {
+        const bool has_it =
+            features_.vertex(index, k) == vertex || features_.vertex(index, (k + 1) % 3) == vertex;
+        if (has_it && !features_.across(index, k)) return true;
+      }
+      return false;
+    });
+  }
+
   /// True if the body, once it has left, touches the feature that it left by, and is not beside it.
-  /// A one-sided surface may end there: how that is left the nearest triangle alone can say.
   bool meets(const narrowphase::Exit& exit, const Core& feature) const {
-    if (sides_ != Sides::Solid) return true;
     Core moved = core_;
     moved.at = moved.at + exit.direction * exit.depth;
     return gap_of_sets(moved, feature).distance <=
@@ -255,9 +301,34 @@ void Enclosure::add(ContactCandidates& candidates) const {
     // An exit that leads past a border may be shorter than the gap to its triangle.
     if (!found.has_touched()) found.offer(leading, descent.triangle(leading));
   } else {
-    found.offer(nearest, descent.triangle(nearest));
+    const Core triangle = descent.triangle(nearest);
+    if (FacingFeatures::is_sliver(triangle)) {
+      found.offer(nearest, triangle);
+    } else {
+      const LocalParting past_face = exits.past_face_of(nearest, triangle);
+      found.offer(past_face, triangle);
+      best = past_face.exit, leading = nearest;
+    }
   }
   found.finish();
+  if (std::isfinite(best.depth)) leave_by(best, core, descent.triangle(leading), candidates);
+}
+
+/// A body that leaves without touching anything on its way, as from behind a border, is as deep as
+/// its way is long: its only contacts are those that say that it grazes the surface.
+void Enclosure::leave_by(const narrowphase::Exit& exit, const Core& core, const Core& triangle,
+                         ContactCandidates& candidates) {
+  std::vector<narrowphase::ContactPoint>& list = candidates.list;
+  const bool is_deep =
+      std::any_of(list.begin(), list.end(), [](const auto& contact) { return contact.depth > 0; });
+  if (is_deep || list.empty() || !(exit.depth > 0)) return;
+  list.resize(1), candidates.ends.assign(1, 1);
+  narrowphase::ContactPoint& contact = list.front();
+  contact.normal = -exit.direction;
+  contact.depth = exit.depth;
+  contact.point_a = rounded_support(core, contact.normal);
+  contact.point_b =
+      narrowphase::nearest_on_triangle(triangle, contact.point_a + exit.direction * exit.depth);
 }
 
 }  // namespace graze
