@@ -17,6 +17,7 @@
 
 #include "tests/engine/way_out/tessellated.h"
 #include "tests/engine/world/random_shapes.h"
+#include "tests/shapes/formula_meshes.h"
 #include "tests/shapes/pose_at.h"
 #include "tests/shapes/random_meshes.h"
 
@@ -242,6 +243,34 @@ TEST(BodySide, WhatIsUnderABorderLeavesAheadOrInFront) {
       }
     }
   }
+}
+
+// Where the frame of a mesh lies says nothing about its size.
+TEST(BodySide, TheFrameOfABodyMeansNothing) {
+  constexpr double kFar = 1 << 20;
+  const Shape ring = tests::make_torus(1.2, 0.6, 16, 10);
+  const Mesh body = tests::make_box({0.25, 0.125, 0.0625});
+  std::vector<Vector3d> vertices(body.vertices().begin(), body.vertices().end());
+  for (Vector3d& vertex : vertices)
+    vertex.x() += kFar;
+  const Mesh far_body(vertices, body.triangles());
+  RandomSource source(1527);
+  int asked = 0;
+  for (int n = 0; n < 500; ++n) {
+    Vector3d at;
+    for (int k = 0; k < 3; ++k)
+      at[k] = std::round(source.uniform(-1.7, 1.7) * 1024) / 1024;
+    const ManifoldSettings settings{.sides_b = MeshSides::solid()};
+    const Pose pose = tests::at(at), far_pose = tests::at(at - Vector3d{kFar, 0, 0});
+    const Manifold found = find_contacts({Shape(body), pose}, {ring}, settings);
+    const Manifold other = find_contacts({Shape(far_body), far_pose}, {ring}, settings);
+    ASSERT_EQ(found.empty(), other.empty());
+    if (found.empty() || intersects({Shape(body), pose}, {ring})) continue;
+    ++asked;
+    ASSERT_NEAR(found[0].depth, other[0].depth, 1e-6) << n;
+    ASSERT_NEAR((found[0].normal - other[0].normal).norm(), 0, 1e-6) << n;
+  }
+  EXPECT_GT(asked, 20);
 }
 
 }  // namespace

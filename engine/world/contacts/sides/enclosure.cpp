@@ -112,7 +112,7 @@ bool Enclosure::is_behind() const {
 bool Enclosure::is_beside(const Eigen::Vector3d& nearest) const {
   if (mesh_.mesh.topology().is_closed) return false;
   static thread_local Scratch scratch;  // no pair is looked at within another
-  const Eigen::Vector3d origin = middle_of(body_.shape, body_.pose);
+  const Eigen::Vector3d origin = this->origin();
   const Core core = this->core(origin, scratch);
   const FacingFeatures features(mesh_, to_vec3(origin));
   const Vec3 at = to_vec3(nearest) - to_vec3(origin);
@@ -132,6 +132,15 @@ bool Enclosure::is_beside(const Eigen::Vector3d& nearest) const {
     }
     return false;
   });
+}
+
+/// Returns a point near the body: tolerances are shares of its size, wherever the frame of a mesh
+/// lies.
+Eigen::Vector3d Enclosure::origin() const {
+  const Mesh* body = body_.shape.as<Mesh>();
+  if (body == nullptr) return middle_of(body_.shape, body_.pose);
+  const Aabb& box = body->bounds();
+  return narrowphase::place(body_.pose, box.min / 2 + box.max / 2);
 }
 
 Core Enclosure::core(const Eigen::Vector3d& origin, Scratch& scratch) const {
@@ -259,7 +268,7 @@ class Enclosure::Exits {
 
 void Enclosure::add(ContactCandidates& candidates) const {
   static thread_local Scratch scratch;  // no pair is looked at within another
-  candidates.origin = middle_of(body_.shape, body_.pose);
+  candidates.origin = origin();
   const Core core = this->core(candidates.origin, scratch);
   MeshDescent descent(mesh_, core, candidates.origin, work_);
   const Exits exits(core, mesh_, sides_.kind(), candidates.origin);

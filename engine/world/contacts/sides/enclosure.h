@@ -49,6 +49,7 @@ class Enclosure {
   bool is_beside(const Eigen::Vector3d& nearest) const;
   static void leave_by(const narrowphase::Exit& exit, const narrowphase::Core& core,
                        const narrowphase::Core& triangle, ContactCandidates& candidates);
+  Eigen::Vector3d origin() const;
   narrowphase::Core core(const Eigen::Vector3d& origin, Scratch& scratch) const;
 
   const PlacedShapeView& body_;
