@@ -1,8 +1,8 @@
 #include <graze/bvh/error.h>
 #include <graze/narrowphase/volumes/sphere_batch.h>
-#include <graze/narrowphase/volumes/spheres/array_elements.h>
 #include <graze/narrowphase/volumes/sphere_box.h>
 #include <graze/narrowphase/volumes/sphere_overlap.h>
+#include <graze/narrowphase/volumes/spheres/array_elements.h>
 #include <gtest/gtest.h>
 #include <hwy/targets.h>
 
