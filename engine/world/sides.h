@@ -9,7 +9,8 @@ enum class Sides : std::uint8_t {
   Surface,  ///< only the surface counts: a body that touches it leaves it in front, and a body
             ///< inside touches nothing
   Solid,  ///< the inside counts as well, and a body there leaves by the nearest way. The mesh must
-          ///< be closed, and each edge must have as many triangles one way as the other
+          ///< be closed, each edge must have as many triangles one way as the other, and fronts
+          ///< must be outside: check() lists parts that are inside out
   OneSided  ///< the space behind the surface counts as well, up to a thickness, and a body there
             ///< leaves in front. No edge may have two more triangles one way than the other
 };

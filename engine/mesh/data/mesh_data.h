@@ -14,8 +14,10 @@
 #include <graze/engine/mesh/placing/far_apart.h>
 
 #include <atomic>
+#include <cstdint>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -74,6 +76,8 @@ struct Mesh::Data {
   mutable VertexFans fans;
   mutable std::once_flag orientation_flag;
   mutable Orientation orientation;
+  mutable std::once_flag inside_out_flag;
+  mutable std::optional<std::uint32_t> inside_out;  ///< what first_inside_out() returns
   mutable std::once_flag topology_flag;
   mutable Topology topology;
   mutable std::vector<std::uint32_t> component_vertices;

@@ -1,6 +1,5 @@
 // Law 15 where a mesh is a solid, or has one side: what is behind its surface without touching it.
 
-#include <graze/bvh/error.h>
 #include <graze/engine/world/height_field.h>
 #include <graze/engine/world/manifold.h>
 #include <graze/engine/world/shape_pairs.h>
@@ -12,7 +11,6 @@
 #include <cstdint>
 #include <limits>
 #include <sstream>
-#include <string>
 #include <vector>
 
 #include "tests/engine/way_out/tessellated.h"
@@ -228,42 +226,6 @@ TEST(Sides, HalfSpacesOnlyTouch) {
     EXPECT_TRUE(find_contacts({below}, {Shape(box)}, {.sides_b = sides}).empty());
     EXPECT_TRUE(find_contacts({Shape(box)}, {below}, {.sides_a = sides}).empty());
   }
-}
-
-TEST(Sides, WhatAMeshCannotHonourIsRefused) {
-  const Mesh box = tests::tessellated_box({1, 1, 1}, 1);
-  std::vector<TriangleIndices> open(box.triangles().begin(), box.triangles().end());
-  std::vector<TriangleIndices> turned = open;
-  open.pop_back();
-  std::swap(turned[3][0], turned[3][1]);
-  const Mesh open_box(box.vertices(), std::span<const TriangleIndices>(open));
-  const Mesh turned_box(box.vertices(), std::span<const TriangleIndices>(turned));
-  const Sphere ball{{0, 0, 0}, 0.1};
-  const MeshSides one_sided = MeshSides::one_sided(0.1);
-  EXPECT_NO_THROW(find_contacts({ball}, {Shape(box)}, {.sides_b = kSolid}));
-  EXPECT_NO_THROW(find_contacts({ball}, {Shape(open_box)}, {.sides_b = one_sided}));
-  EXPECT_THROW(find_contacts({ball}, {Shape(turned_box)}, {.sides_b = one_sided}), MeshError);
-  try {
-    find_contacts({ball}, {Shape(open_box)}, {.sides_b = kSolid});
-    FAIL() << "an open mesh is no solid";
-  } catch (const MeshError& error) {
-    EXPECT_NE(std::string(error.what()).find("as many triangles one way as the other at each edge"),
-              std::string::npos)
-        << error.what();
-    EXPECT_NE(std::string(error.what()).find("the edge from vertex"), std::string::npos);
-    EXPECT_TRUE(error.place().index.has_value());
-  }
-  EXPECT_THROW(find_contacts({ball}, {Shape(ball)}, {.sides_b = kSolid}), InputError);
-  for (const double thickness : {0.0, -1.0, std::numeric_limits<double>::infinity(),
-                                 std::numeric_limits<double>::quiet_NaN()}) {
-    const MeshSides sides = MeshSides::one_sided(thickness);
-    EXPECT_THROW(find_contacts({ball}, {Shape(box)}, {.sides_b = sides}), InputError);
-  }
-  World world;
-  EXPECT_THROW(world.add({Shape(open_box)}, {.sides = kSolid}), MeshError);
-  const BodyId id = world.add({Shape(box)}, {.sides = kSolid});
-  EXPECT_THROW(world.set_shape(id, ball), InputError);
-  EXPECT_EQ(world.size(), 1u);
 }
 
 /// A terrain over [-1, 1]^2 whose corners are up to a fifth high or deep.

@@ -2,6 +2,7 @@
 #include <graze/bvh/value/number_text.h>
 #include <graze/engine/mesh/containment.h>
 #include <graze/engine/mesh/data/orientation.h>
+#include <graze/engine/mesh/health/inside_out.h>
 #include <graze/engine/mesh/volume_query.h>
 #include <graze/engine/world/contacts/local_parting.h>
 #include <graze/engine/world/contacts/sides/body_side.h>
@@ -71,6 +72,12 @@ void check_sides(const Shape* shape, const MeshSides& sides, const char* what) {
     if (orientation.unpaired)
       refuse(*mesh, *orientation.unpaired,
              begin + "a solid needs as many triangles one way as the other at each edge");
+    // Bodies leave through fronts.
+    if (const std::optional<std::uint32_t> triangle = first_inside_out(*mesh)) {
+      throw MeshError(begin + "a solid needs triangles whose fronts are outside: the part of the " +
+                          "surface with triangle " + std::to_string(*triangle) + " is inside out",
+                      {.element = "triangle", .index = *triangle});
+    }
   } else if (orientation.turned) {
     refuse(*mesh, *orientation.turned,
            begin + "one side needs triangles that go on from each other at each edge");
