@@ -15,6 +15,13 @@ namespace {
 // Up to this many crossings are few: each of their triangles is looked at.
 constexpr std::size_t kFew = 24;
 
+// A way counts as longer than another if it is so by more than law 15's depths are exact to.
+constexpr double kLonger = 1.05;
+
+// The way of one facet is held against that of the whole piece only if it is longer than this share
+// of the piece's outline: most are shorter, and the second search takes as long as the first.
+constexpr double kLongFacet = 0.01;
+
 // Two edges that dip into each other, of two faces each, cross four times, or a little more often
 // where faces are divided.
 constexpr std::size_t kOfTwoEdges = 8;
@@ -230,12 +237,25 @@ void PieceExits::find_with(Part&& leaving, double limit, const PartingSettings& 
 
 PieceExit PieceExits::shortest(std::uint32_t piece) {
   enter(piece);
-  if (is_wrapped_) {
-    const PieceExit best = shortest_facet(nullptr);
-    if (best.is_found) return best;
-    is_left_whole_[piece] = true, piece_ = kNoPiece;
-    enter(piece);
-  }
+  if (!is_wrapped_) return shortest_whole(piece);
+  const PieceExit of_facet = shortest_facet(nullptr);
+  const bool may_be_longer = depth_of(of_facet) > kLongFacet * pieces_->outline(piece).around &&
+                             pieces_->is_left_one_way(piece);
+  if (of_facet.is_found && !may_be_longer) return of_facet;
+  leave_whole(piece, true);
+  const PieceExit of_whole = shortest_whole(piece);
+  if (!of_facet.is_found || depth_of(of_facet) > kLonger * depth_of(of_whole)) return of_whole;
+  leave_whole(piece, false);
+  return of_facet;
+}
+
+/// Enters a piece anew, as a whole or by its facets.
+void PieceExits::leave_whole(std::uint32_t piece, bool is_whole) {
+  is_left_whole_[piece] = is_whole, piece_ = kNoPiece;
+  enter(piece);
+}
+
+PieceExit PieceExits::shortest_whole(std::uint32_t piece) {
   const std::span<const MeshCrossing> crossings = pieces_->crossings(piece);
   if (crossings.size() <= kFew) {
     for (const MeshCrossing& crossing : crossings)
@@ -244,10 +264,13 @@ PieceExit PieceExits::shortest(std::uint32_t piece) {
   descend(piece, -pieces_->outline(piece).normal());
   if (crossings.size() > kFew) {
     // The other part may grow behind a face that seemed to be the best. So the next best face is
-    // looked at, as long as it seems shorter than the best so far.
+    // looked at, as long as it seems shorter than the best so far; and on and on if the best is
+    // longer than one that leads round a body that goes on.
     constexpr int kMostFaces = 8;
     int faces = 0;
-    while ((faces < kMostFaces || !best_.is_found) && look_at_best_face(piece))
+    while ((faces < kMostFaces || !best_.is_found ||
+            depth_of(best_) > kLonger * depth_of(best_of_any_)) &&
+           look_at_best_face(piece))
       ++faces;
     descend(piece, {});
   }

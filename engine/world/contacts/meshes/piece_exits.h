@@ -80,6 +80,8 @@ class PieceExits {
   template <typename Part>
   void find_with(Part&& part, double limit, const PartingSettings& settings, Looked& looked);
   PieceExit shortest_facet(const Clearance* clearance);
+  PieceExit shortest_whole(std::uint32_t piece);
+  void leave_whole(std::uint32_t piece, bool is_whole);
   void widen(PieceExit& piece_exit, const narrowphase::Vec3& normal);
   void descend(std::uint32_t piece, narrowphase::Vec3 direction);
   void look_about(std::uint32_t piece, const narrowphase::Vec3& direction, bool is_of_a);
@@ -96,10 +98,11 @@ class PieceExits {
   double larger_ = 0;  ///< by how much A is larger, by MeshPieces::larger()
   static constexpr std::uint32_t kNoPiece = 0xffffffffu;
   std::uint32_t piece_ = kNoPiece;
-  std::vector<std::uint8_t> is_left_whole_;  ///< for each piece, whether no facet of it has a way
-                                             ///< out
-  bool is_wrapped_ = false;                  ///< whether faces of both meshes look to many sides
-  PieceFacets facets_;                       ///< the facets of a piece that wraps around
+  std::vector<std::uint8_t> is_left_whole_;  ///< for each piece, whether it leaves as a whole
+                                             ///< though it wraps around: no facet of it has a way
+                                             ///< out, or one that is longer
+  bool is_wrapped_ = false;  ///< whether faces of both meshes look to many sides
+  PieceFacets facets_;       ///< the facets of a piece that wraps around
   LocalPart local_;
   std::vector<MeshCrossing> on_face_;  ///< the crossings of one triangle
   std::vector<Looked> looked_;         ///< the triangles of this piece that were looked at
