@@ -119,7 +119,8 @@ TEST(WayOut, Law15WhatLeansOnTopsOfPillarsIsLedStraightUp) {
   RandomSource source(11);
   for (int n = 0; n < 300; ++n) {
     const double azimuth = source.uniform(-3, 3), depth = std::pow(10, source.uniform(-5, -4));
-    Pose pose = tests::at(source.uniform(1.1, 1.2), source.uniform(0.7, 0.8), 0);
+    const double x = source.uniform(1.1, 1.2), y = source.uniform(0.7, 0.8);
+    Pose pose = tests::at(x, y, 0);
     pose.rotate(Eigen::AngleAxisd(2e-5, Vector3d(std::cos(azimuth), std::sin(azimuth), 0)));
     double lowest = 0;
     for (const Vector3d& vertex : drum.vertices())
@@ -157,7 +158,8 @@ TEST(WayOut, Law15WhatLeansOnTopsOfPillarsIsLedNoFartherThanItNeeds) {
   const Mesh drum = tests::turned_profile(profile, 4, {0.49364, 0.44941});
   RandomSource source(13);
   for (int n = 0; n < 300; ++n) {
-    Pose pose = tests::at(source.uniform(0.17, 0.18), source.uniform(0.54, 0.55), 0);
+    const double x = source.uniform(0.17, 0.18), y = source.uniform(0.54, 0.55);
+    Pose pose = tests::at(x, y, 0);
     const double azimuth = source.uniform(1.7, 1.9);
     pose.rotate(Eigen::AngleAxisd(4.6e-5, Vector3d(std::cos(azimuth), std::sin(azimuth), 0)));
     pose.rotate(Eigen::AngleAxisd(source.uniform(-1.5, -1.4), Vector3d::UnitZ()));

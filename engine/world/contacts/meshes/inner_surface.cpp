@@ -62,6 +62,21 @@ std::size_t InnerPart::next_beyond(const Vec3& direction, double along, std::siz
   return rows_.next_beyond(direction, along, from);
 }
 
+std::optional<double> InnerPart::outer_extent(const Vec3& direction, double depth) const {
+  constexpr double kSame = 1e-6, kShallow = 1e-4;
+  const std::size_t last = farthest(direction);
+  if (!is_outer[last]) return 0;
+  const double all = dot(points[last], direction);
+  const double least = all - std::max(kSame * radius, std::min(0.05 * depth, kShallow * radius));
+  std::optional<double> extent;
+  for (std::size_t i = 0; (i = next_beyond(direction, least, i)) < points.size(); ++i) {
+    if (is_outer[i]) continue;
+    const double lacking = all - dot(points[i], direction);
+    if (!extent || lacking < *extent) extent = lacking;
+  }
+  return extent;
+}
+
 Core InnerPart::core() const {
   Core core;
   core.kind = narrowphase::CoreKind::Points;

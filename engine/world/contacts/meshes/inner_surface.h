@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -64,6 +65,13 @@ class InnerPart {
   /// Returns the first point from `from` on that lies at least `along` far in a direction; the
   /// number of points if there is none.
   std::size_t next_beyond(const narrowphase::Vec3& direction, double along, std::size_t from) const;
+
+  /// Returns how much farther the part extends outside than inside, or nothing if that is too much:
+  /// then the point that leaves last in a direction is outside, and the exit belongs to another
+  /// piece, or leads round a body that goes on. Law 15's depths are to a twentieth: a shallow exit
+  /// that the outside makes longer by less than that is this piece's. Where an edge leaves an edge
+  /// both of its ends are equally far, but for the error of the search for the exit.
+  std::optional<double> outer_extent(const narrowphase::Vec3& direction, double depth) const;
 
   /// Returns the convex hull of the points as a core for the solvers; valid until points are added.
   narrowphase::Core core() const;

@@ -26,27 +26,6 @@ constexpr double kLongFacet = 0.01;
 // where faces are divided.
 constexpr std::size_t kOfTwoEdges = 8;
 
-/// Returns how much farther a part extends outside than inside, or nothing if that is too much:
-/// then the point that leaves last in a direction is outside, and the exit belongs to another
-/// piece, or leads round a body that goes on. Law 15's depths are to a twentieth: a shallow exit
-/// that the outside makes longer by less than that is this piece's. Where an edge leaves an edge
-/// both of its ends are equally far, but for the error of the search for the exit.
-std::optional<double> outer_extent(const InnerPart& part, const Vec3& direction, double depth) {
-  constexpr double kSame = 1e-6, kShallow = 1e-4;
-  const std::size_t farthest = part.farthest(direction);
-  if (!part.is_outer[farthest]) return 0;
-  const double all = dot(part.points[farthest], direction);
-  const double least =
-      all - std::max(kSame * part.radius, std::min(0.05 * depth, kShallow * part.radius));
-  std::optional<double> extent;
-  for (std::size_t i = 0; (i = part.next_beyond(direction, least, i)) < part.points.size(); ++i) {
-    if (part.is_outer[i]) continue;
-    const double lacking = all - dot(part.points[i], direction);
-    if (!extent || lacking < *extent) extent = lacking;
-  }
-  return extent;
-}
-
 double depth_of(const PieceExit& piece_exit) {
   return piece_exit.is_found ? piece_exit.touched.parting.exit.depth
                              : std::numeric_limits<double>::infinity();
@@ -227,7 +206,7 @@ void PieceExits::find_with(Part&& leaving, double limit, const PartingSettings& 
   Exit& exit = parting.exit;
   exit.depth = std::max(exit.depth, 0.0);
   piece_exit.is_found = true;
-  const std::optional<double> outer = outer_extent(part, -exit.direction, exit.depth);
+  const std::optional<double> outer = part.outer_extent(-exit.direction, exit.depth);
   piece_exit.is_local = outer.has_value();
   // Points outside are beside the triangle's mesh, and need not be lifted out.
   piece_exit.beyond = piece_exit.is_partial ? 0 : std::min(outer.value_or(0), exit.depth);

@@ -101,8 +101,8 @@ class PieceExits {
   std::vector<std::uint8_t> is_left_whole_;  ///< for each piece, whether it leaves as a whole
                                              ///< though it wraps around: no facet of it has a way
                                              ///< out, or one that is longer
-  bool is_wrapped_ = false;  ///< whether faces of both meshes look to many sides
-  PieceFacets facets_;       ///< the facets of a piece that wraps around
+  bool is_wrapped_ = false;                  ///< whether faces of both meshes look to many sides
+  PieceFacets facets_;                       ///< the facets of a piece that wraps around
   LocalPart local_;
   std::vector<MeshCrossing> on_face_;  ///< the crossings of one triangle
   std::vector<Looked> looked_;         ///< the triangles of this piece that were looked at

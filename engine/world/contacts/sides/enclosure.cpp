@@ -124,7 +124,7 @@ bool Enclosure::is_beside(const Eigen::Vector3d& nearest) const {
   const FacingFeatures features(mesh_, to_vec3(origin));
   const Vec3 at = to_vec3(nearest) - to_vec3(origin);
   const double scale = largest(to_vec3(nearest)) + largest(to_vec3(origin)) + length(at);
-  const Sphere around{nearest, std::max(kNegligible * scale, 0x1p-1000)};
+  const Sphere around{nearest, kNegligible * scale};
   const TriangleList found = find_triangles(mesh_, around, {}, &work_);
   return std::any_of(found.triangles.begin(), found.triangles.end(), [&](std::uint32_t index) {
     const Core triangle = features.placed_triangle(index);
