@@ -53,16 +53,10 @@ HWY_INLINE std::uint32_t smaller_lanes(const WideNode& node, float size) {
   return lanes;
 }
 
-/// More children than these near one box, and something is likely to be hit soon: then the nearest
-/// is followed before the others are looked at.
+/// More children than these near one box, and something is likely to be hit soon: a walk to any
+/// pair then follows the nearest before it looks at the others. One to all pairs does not: which
+/// boxes are near may differ between SIMD targets, and the order of its pairs must not.
 constexpr int kMostAtATime = 3;
-
-/// How many pairs a step leaves off after, where it has so much room.
-constexpr std::size_t most_seen_in(std::size_t room) {
-  return std::min(room - WidePairWalk::kMostAtOnce, std::size_t{WidePairWalk::kMostSeen});
-}
-static_assert(most_seen_in(WidePairWalk::kOneStep) == WidePairWalk::kMostSeen,
-              "a walk takes the same steps with any room for one");
 
 using Goal = WidePairWalk::Goal;
 
@@ -74,17 +68,13 @@ class Walker {
       : state_(state),
         found_(found),
         counts_(counts),
-        most_seen_(kIsAny ? 0 : most_seen_in(found.size())),
         scale_b_(static_cast<float>(state.into[0].scale)) {}
 
   /// All pairs that there is room for.
   std::size_t run() {
     while (!state_.open.empty()) {
-      seen_ = 0;
-      while (!state_.open.empty() && seen_ <= most_seen_) {
-        compare(state_.open.pop());
-      }
-      if (size_ + pairs_.size() + most_seen_ + WidePairWalk::kMostAtOnce <= found_.size()) continue;
+      compare(state_.open.pop());
+      if (size_ + pairs_.size() + WidePairWalk::kMostInStep <= found_.size()) continue;
       decide();
       if (size_ > 0) return size_;
     }
@@ -104,7 +94,8 @@ class Walker {
  private:
   static constexpr bool kIsAny = kGoal == Goal::AnyPair;
 
-  HWY_INLINE bool is_step_over() const { return kIsAny ? size_ != 0 : seen_ > most_seen_; }
+  /// A walk to all pairs looks at all that a step began with, however many pairs that are.
+  HWY_INLINE bool is_step_over() const { return kIsAny && size_ != 0; }
 
   HWY_INLINE void look_elsewhere_in_time() {
     if (--state_.steps_left > 0) return;
@@ -171,7 +162,7 @@ class Walker {
     const float padding = transform.slack + kComparisonError * sizes;
     set_queries_in_node(queries_in_node_, *queries.node, node, transform, padding);
     const bool are_slabs_asked = node.has_slabs && queries.node->has_slabs;
-    const bool are_many = std::popcount(lanes) > kMostAtATime;
+    const bool are_many = kIsAny && std::popcount(lanes) > kMostAtATime;
     alignas(32) float squared_distances[WideNode::kWidth];
     while (lanes != 0 && !is_step_over()) {
       const std::uint32_t lane =
@@ -320,7 +311,6 @@ class Walker {
         tested.first + ChildLink::first(tested_leaf.node->child[tested_leaf.lane]);
     const std::uint32_t first_query =
         query.first + ChildLink::first(query_leaf.node->child[query_leaf.lane]);
-    seen_ += static_cast<std::size_t>(std::popcount(near));
     const auto places_of = [&](std::uint32_t pair) HWY_ATTR {
       const std::uint32_t place = first + pair / 4;
       const std::uint32_t place_of_query = first_query + pair % 4;
@@ -342,8 +332,6 @@ class Walker {
   std::span<FoundPair> found_;
   WideWalkCounts& counts_;
   std::size_t size_ = 0;
-  std::size_t seen_ = 0;   ///< pairs that leaves were left with since it last looked at what waits
-  std::size_t most_seen_;  ///< before it does so again
   float scale_b_;
   Query query_{};
   QueryInNode in_node_;

@@ -34,24 +34,20 @@ struct WideWalkCounts {
 
 /// Finds the pairs of primitives of two trees that nothing proves apart: a box of one tree
 /// against the eight children of a node of the other. Hands out a few at a time and goes on where
-/// it stopped, so that no callback stands in the loop. Which pairs it finds, but not their order,
-/// may differ between SIMD targets in what does not meet anyway, and so may which of them are sure.
+/// it stopped, so that no callback stands in the loop. Which pairs it finds may differ between SIMD
+/// targets in what does not meet anyway, and so may which of them are sure. The order of those that
+/// meet does not, but for Goal::AnyPair.
 class WidePairWalk {
  public:
-  /// One step (a pair that is taken from what waits, and compared) may find as many pairs: next()
-  /// stops when there might not be room for these.
+  /// The most pairs of two leaves, times the leaves that one query box may be near.
   static constexpr std::size_t kMostAtOnce =
       WideNode::kWidth * ChildLink::kMaxLeafSize * ChildLink::kMaxLeafSize;
-  /// A step ends when leaves were left with more pairs than these: what it has not looked at waits.
-  /// They are counted before it is known which of them cross, so that the order of the walk does
-  /// not depend on what rounding leaves unsure.
-  static constexpr std::size_t kMostSeen = 8;
+  /// The most pairs that one step finds: a pair of nodes that is taken from what waits, and the
+  /// children of one compared with those of the other. A walk to all pairs never stops within one,
+  /// so that its order does not depend on what rounding leaves unsure.
+  static constexpr std::size_t kMostInStep = WideNode::kWidth * kMostAtOnce;
   /// Room for the pairs of several steps: pairs of different leaves are decided together.
-  static constexpr std::size_t kMany = 2 * kMostAtOnce;
-  /// Room for what waits to be decided before a step, for the step, and for as many pairs as let
-  /// the next one begin: with less its steps would be shorter.
-  static constexpr std::size_t kOneStep = kMostSeen + kMostAtOnce + kMostSeen;
-  static_assert(kOneStep <= kMany);
+  static constexpr std::size_t kMany = kMostInStep + kMostAtOnce;
 
   /// What a walk looks for. Each goal has a kernel of its own.
   enum class Goal {

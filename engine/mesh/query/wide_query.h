@@ -140,8 +140,8 @@ struct WideQuery {
   bvh::Walk decide_first_in_order(bvh::WidePairWalk& walk, Candidates& candidates,
                                   OnPair&& on_pair) const {
     assert(walk.goal() == bvh::WidePairWalk::Goal::AllPairs);
-    // A round mostly ends after one step of the walk where there is hardly more room than for one.
-    bvh::FoundPair found[bvh::WidePairWalk::kOneStep];
+    // A round ends after one step of the walk that finds any where there is room for one.
+    bvh::FoundPair found[bvh::WidePairWalk::kMostInStep];
     while (const std::size_t count = walk.next(found)) {
       if (decide_found({found, count}, candidates, on_pair) == bvh::Walk::Stop)
         return bvh::Walk::Stop;
