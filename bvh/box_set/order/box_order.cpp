@@ -132,8 +132,15 @@ void BoxOrder::move(std::uint32_t proxy, const OrderedBox& box) {
       store_.append(proxy, box);
       return;
     }
+    // Its own place takes it back, which may be the only one that was empty in its block. Blocks of
+    // newcomers have no marks of holes.
     --store_.holes;
     store_.take(place, proxy, box);
+    Layer& of_block = store_.layers[layer];
+    const std::uint32_t block_in_layer = block - of_block.first_block;
+    if (block_in_layer + 1 < of_block.sorted_perimeter.size() &&
+        store_.empty_place(block) == kNullIndex)
+      of_block.note_filled(block_in_layer);
     return;
   }
   store_.set(place, box);
