@@ -101,6 +101,12 @@ std::vector<InsideOutPart> inside_out_parts(const Mesh& mesh, const MeshParts& p
   return found;
 }
 
+bool CrossedParts::meets_any(std::uint32_t surface) const {
+  return std::any_of(surfaces.begin(), surfaces.end(), [&](std::uint64_t key) {
+    return key >> 32 == surface || (key & 0xffffffff) == surface;
+  });
+}
+
 std::optional<std::uint32_t> first_inside_out(const Mesh& mesh) {
   const auto& data = MeshAccess::data(mesh);
   std::call_once(data.inside_out_flag, [&] {
@@ -108,12 +114,17 @@ std::optional<std::uint32_t> first_inside_out(const Mesh& mesh) {
       const MeshParts parts = parts_of(mesh, directed_edges_of(mesh));
       CrossedParts crossed;
       Work work;
-      // One part alone lies in no other.
-      if (parts.size() > 1)
-        for_each_self_intersection(
-            mesh, work, [&](TrianglePair pair) { crossed.note(pair, parts); }, [](std::size_t) {});
-      const std::vector<InsideOutPart> found = inside_out_parts(mesh, parts, crossed, work);
-      if (!found.empty()) data.inside_out = found.front().triangle;
+      std::vector<InsideOutPart> found = inside_out_parts(mesh, parts, crossed, work);
+      // Mostly that is all: what crosses or touches takes longer to find than all else.
+      if (found.empty()) return;
+      for_each_self_intersection(
+          mesh, work, [&](TrianglePair pair) { crossed.note(pair, parts); }, [](std::size_t) {});
+      found = inside_out_parts(mesh, parts, crossed, work);
+      for (const InsideOutPart& part : found) {
+        if (crossed.meets_any(parts.surface_of[parts.part_of[part.triangle]])) continue;
+        data.inside_out = part.triangle;
+        return;
+      }
     });
   });
   return data.inside_out;

@@ -21,15 +21,17 @@ struct CrossedParts {
   /// Notes a pair of triangles that intersect.
   void note(TrianglePair pair, const MeshParts& of);
   bool are_met(std::uint32_t surface_a, std::uint32_t surface_b) const;
+  bool meets_any(std::uint32_t surface) const;
 };
 
 /// Returns what MeshHealth says of inside_out_parts.
 std::vector<InsideOutPart> inside_out_parts(const Mesh& mesh, const MeshParts& parts,
                                             const CrossedParts& crossed, Work& work);
 
-/// Returns the lowest triangle of the first part that is inside out, or nothing if none is. It is
-/// computed when it is first asked for: in O(n log n) if the mesh is one part, else in the time of
-/// check().
+/// Returns the lowest triangle of the first part that is surely inside out, or nothing: one that
+/// another crosses or touches may be a cavity that touches its shell. It is computed when it is
+/// first asked for, in O(n log n) if all parts face the right way, else in the time of check(). At
+/// each edge as many triangles must go one way as the other (Orientation::unpaired).
 std::optional<std::uint32_t> first_inside_out(const Mesh& mesh);
 
 }  // namespace graze

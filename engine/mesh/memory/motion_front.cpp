@@ -12,7 +12,7 @@ namespace {
 constexpr double kMostDue = 0.7;
 constexpr double kMostLookedAt = 0.35;
 constexpr std::size_t kMostNearPairs = 250;  // distances that are asked for in one pass
-constexpr int kLongestRest = 64;             // queries for which a front use_up_rest
+constexpr int kLongestRest = 64;             // queries for which a front rests
 
 /// The share of the edges of the smaller mesh's box, added up, that is fast: if B goes so far in
 /// one query, it has to have done so before, or no front is begun for it.

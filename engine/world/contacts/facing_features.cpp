@@ -32,6 +32,11 @@ constexpr double kOnEdge = 0x1p-44;
 // The search looks across this many slivers in a row.
 constexpr int kMostSlivers = 8;
 
+Vec3 normal_of_plane(const Core& triangle) {
+  const Vec3* corner = triangle.corner;
+  return unit_or(cross(corner[1] - corner[0], corner[2] - corner[0]), {0, 0, 1});
+}
+
 /// True if a triangle is a sliver. It computes in units of the longest edge, as squares of areas
 /// could leave the range of double.
 bool is_thin(const Vec3& p, const Vec3& q, const Vec3& r) {
@@ -101,9 +106,29 @@ Core FacingFeatures::placed_triangle(std::uint32_t index) const {
 /// From each triangle the search goes on over the edge that the point is farthest beyond.
 std::optional<std::uint32_t> FacingFeatures::flat_triangle(std::uint32_t index, const Core& first,
                                                            const Vec3& point) const {
+  const FlatWay way = flat_way(index, first, point);
+  if (!way.has_point) return std::nullopt;
+  return way.last;
+}
+
+bool FacingFeatures::falls_back(std::uint32_t index, const Core& first, const Vec3& point) const {
+  const std::optional<std::uint32_t> beyond = flat_way(index, first, point).beyond;
+  if (!beyond) return false;
+  const Core other = placed_triangle(*beyond);
+  const Vec3 normal = normal_of_plane(first);
+  // Two of its corners are in the plane, to rounding, and the third is farther from it.
+  double lowest = 0, highest = 0;
+  for (const Vec3& corner : other.corner) {
+    const double above = dot(normal, corner - first.corner[0]);
+    lowest = std::min(lowest, above), highest = std::max(highest, above);
+  }
+  return -lowest > highest;
+}
+
+FacingFeatures::FlatWay FacingFeatures::flat_way(std::uint32_t index, const Core& first,
+                                                 const Vec3& point) const {
   constexpr int kMostSteps = 64;
-  const Vec3 normal = unit_or(
-      cross(first.corner[1] - first.corner[0], first.corner[2] - first.corner[0]), {0, 0, 1});
+  const Vec3 normal = normal_of_plane(first);
   // A point on an edge is in both of its triangles, and not beyond the edge of either.
   const double rounding = kOnEdge * (largest(point) + largest(first.corner[0]));
   Core triangle = first;
@@ -115,17 +140,18 @@ std::optional<std::uint32_t> FacingFeatures::flat_triangle(std::uint32_t index, 
       const double out = dot(unit_or(cross(along, normal), normal), point - triangle.corner[k]);
       if (out > most) beyond = k, most = out;
     }
-    if (beyond < 0) return index;
+    if (beyond < 0) return {index, true, {}};
     const std::optional<std::uint32_t> next =
         neighbour(vertex(index, beyond), vertex(index, (beyond + 1) % 3), index);
-    if (!next) return std::nullopt;
+    if (!next) return {index, false, {}};
     const Core other = placed_triangle(*next);
     const Vec3* corner = other.corner;
     const Vec3 turned = unit_or(cross(corner[1] - corner[0], corner[2] - corner[0]), {});
-    if (!(dot(turned, normal) > 0) || length(cross(turned, normal)) > kFlat) return std::nullopt;
+    if (!(dot(turned, normal) > 0) || length(cross(turned, normal)) > kFlat)
+      return {index, false, next};
     index = *next, triangle = other;
   }
-  return std::nullopt;
+  return {index, false, {}};
 }
 
 std::optional<std::uint32_t> FacingFeatures::neighbour(std::uint32_t s, std::uint32_t t,

@@ -47,6 +47,11 @@ class FacingFeatures {
   std::optional<std::uint32_t> flat_triangle(std::uint32_t index, const narrowphase::Core& triangle,
                                              const narrowphase::Vec3& point) const;
 
+  /// True if the surface, on its way from a triangle to a point in its plane, falls back behind
+  /// that plane where it ceases to be flat.
+  bool falls_back(std::uint32_t index, const narrowphase::Core& triangle,
+                  const narrowphase::Vec3& point) const;
+
   /// Returns the triangle beyond the edge from corner k to the next; nothing where the surface
   /// ends.
   std::optional<std::uint32_t> across(std::uint32_t index, int k) const;
@@ -64,6 +69,15 @@ class FacingFeatures {
   /// Narrows the directions that an edge faces by the triangles beside it.
   class Narrowing;
 
+  /// The last of the flat triangles on the way to a point, and what is beyond it.
+  struct FlatWay {
+    std::uint32_t last;
+    bool has_point = false;
+    std::optional<std::uint32_t> beyond;  ///< nothing where the surface ends, or at the point
+  };
+
+  FlatWay flat_way(std::uint32_t index, const narrowphase::Core& first,
+                   const narrowphase::Vec3& point) const;
   narrowphase::Vec3 placed(std::uint32_t vertex) const;
   bool vertex_faces(std::uint32_t of, const narrowphase::Vec3& direction) const;
   std::optional<std::uint32_t> neighbour(std::uint32_t s, std::uint32_t t,

@@ -245,6 +245,23 @@ TEST(BodySide, WhatIsUnderABorderLeavesAheadOrInFront) {
   }
 }
 
+// A large triangle's edge has no neighbour where two small ones lie along it, and ends no surface.
+TEST(BodySide, WhatIsBeyondASeamIsBehindWhatGoesOnThere) {
+  // Flat on one side of the seam, and rising on the other.
+  const std::vector<Vector3d> vertices{{-2, -1, 0}, {0, -1, 0}, {0, 1, 0}, {-2, 1, 0},
+                                       {0, 0, 0},   {2, -1, 2}, {2, 0, 2}, {2, 1, 2}};
+  const std::vector<TriangleIndices> triangles{{0, 1, 2}, {0, 2, 3}, {1, 5, 6},
+                                               {1, 6, 4}, {4, 6, 7}, {4, 7, 2}};
+  const Shape crease = Mesh(vertices, triangles);
+  for (const double x : {0.12, 0.15, 0.18}) {
+    for (const double y : {-0.4, 0.3}) {
+      const Manifold found = find_contacts({Sphere{{x, y, -0.2}, 0.1}}, {crease},
+                                           {.sides_b = MeshSides::one_sided(1)});
+      EXPECT_FALSE(found.empty()) << x << " " << y;
+    }
+  }
+}
+
 // Where the frame of a mesh lies says nothing about its size.
 TEST(BodySide, TheFrameOfABodyMeansNothing) {
   constexpr double kFar = 1 << 20;

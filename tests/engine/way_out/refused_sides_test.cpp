@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <initializer_list>
 #include <limits>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -85,6 +86,22 @@ TEST(Sides, ASolidHasItsFrontsOutside) {
   for (const Mesh& mesh :
        {boxes_in_one({{middle, 1}}), boxes_in_one({{middle, 2}, {middle, -1}, {middle, 0.5}}),
         boxes_in_one({{middle, 1}, {beside, 1}}), boxes_in_one({{middle, 1}, {near, 1}})})
+    EXPECT_NO_THROW(find_contacts({ball}, {Shape(mesh)}, {.sides_b = kSolidSides}));
+  // A cavity that touches its shell with a corner.
+  std::vector<Vector3d> vertices{{1, 0, 0}, {-0.5, 0.4, 0}, {-0.5, -0.4, 0}, {0, 0, 0.4}};
+  std::vector<TriangleIndices> triangles{{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}};
+  const Mesh shell = boxes_in_one({{middle, 1}});
+  for (const TriangleIndices& t : shell.triangles())
+    triangles.push_back({t[0] + 4, t[1] + 4, t[2] + 4});
+  vertices.insert(vertices.end(), shell.vertices().begin(), shell.vertices().end());
+  const Mesh touched(vertices, std::span<const TriangleIndices>(triangles));
+  const Mesh turned(vertices, [&] {
+    for (int i = 0; i < 4; ++i)
+      std::swap(triangles[static_cast<std::size_t>(i)][0],
+                triangles[static_cast<std::size_t>(i)][1]);
+    return triangles;
+  }());
+  for (const Mesh& mesh : {touched, turned})
     EXPECT_NO_THROW(find_contacts({ball}, {Shape(mesh)}, {.sides_b = kSolidSides}));
   const auto expect_refused = [&](const Mesh& mesh, std::uint64_t triangle) {
     for (int i = 0; i < 2; ++i) {  // the second time it is known

@@ -223,7 +223,8 @@ PieceExit PieceExits::shortest(std::uint32_t piece) {
   if (of_facet.is_found && !may_be_longer) return of_facet;
   leave_whole(piece, true);
   const PieceExit of_whole = shortest_whole(piece);
-  if (!of_facet.is_found || depth_of(of_facet) > kLonger * depth_of(of_whole)) return of_whole;
+  const bool is_longer = of_whole.is_local && depth_of(of_facet) > kLonger * depth_of(of_whole);
+  if (!of_facet.is_found || is_longer) return of_whole;
   leave_whole(piece, false);
   return of_facet;
 }
@@ -243,13 +244,15 @@ PieceExit PieceExits::shortest_whole(std::uint32_t piece) {
   descend(piece, -pieces_->outline(piece).normal());
   if (crossings.size() > kFew) {
     // The other part may grow behind a face that seemed to be the best. So the next best face is
-    // looked at, as long as it seems shorter than the best so far; and on and on if the best is
+    // looked at, as long as it seems shorter than the best so far; and more of them if the best is
     // longer than one that leads round a body that goes on.
-    constexpr int kMostFaces = 8;
-    int faces = 0;
-    while ((faces < kMostFaces || !best_.is_found ||
-            depth_of(best_) > kLonger * depth_of(best_of_any_)) &&
-           look_at_best_face(piece))
+    constexpr int kMostFaces = 8, kMostIfLonger = 64;
+    const auto is_enough = [&](int faces) {
+      if (!best_.is_found) return false;
+      const bool is_longer = depth_of(best_) > kLonger * depth_of(best_of_any_);
+      return faces >= (is_longer ? kMostIfLonger : kMostFaces);
+    };
+    for (int faces = 0; !is_enough(faces) && look_at_best_face(piece);)
       ++faces;
     descend(piece, {});
   }

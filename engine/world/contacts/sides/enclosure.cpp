@@ -135,7 +135,16 @@ bool Enclosure::is_beside(const Eigen::Vector3d& nearest) const {
       const Vec3 along = unit_or(triangle.corner[(k + 1) % 3] - from, {0, 0, 0});
       if (length(cross(along, at - from)) > around.radius || features.across(index, k)) continue;
       const Vec3 ahead = unit_or(cross(along, normal), normal);
-      if (dot(ahead, from - rounded_support(core, -ahead)) <= 0) return true;
+      if (dot(ahead, from - rounded_support(core, -ahead)) > 0) continue;
+      // Where an edge ends in the middle of another one the surface goes on beyond it.
+      const bool goes_on =
+          std::any_of(found.triangles.begin(), found.triangles.end(), [&](std::uint32_t other) {
+            const Core beyond = features.placed_triangle(other);
+            return std::any_of(
+                std::begin(beyond.corner), std::end(beyond.corner),
+                [&](const Vec3& corner) { return dot(ahead, corner - from) > around.radius; });
+          });
+      if (!goes_on) return true;
     }
     return false;
   });
@@ -222,8 +231,11 @@ class Enclosure::Exits {
     const narrowphase::Exit& exit = parting.exit;
     if (!(exit.depth > 0)) return false;
     const auto leaves = [&](std::uint32_t index, const Core& face) {
-      const Vec3 last = rounded_support(core_, -exit.direction);
-      return features_.flat_triangle(index, face, last + exit.direction * exit.depth).has_value();
+      const Vec3 left = rounded_support(core_, -exit.direction) + exit.direction * exit.depth;
+      if (features_.flat_triangle(index, face, left)) return true;
+      // A body that is flat there has many last points, of which rounding names one. It may be
+      // past an edge where others are on the face.
+      return features_.falls_back(index, face, left) && gap_once_left(exit, face) <= allowance_;
     };
     if (parting.feature == LeftFeature::Face) return leaves(parting.triangle, triangle);
     if (parting.feature == LeftFeature::Corner) {
@@ -260,10 +272,13 @@ class Enclosure::Exits {
 
   /// True if the body, once it has left, touches the feature that it left by, and is not beside it.
   bool meets(const narrowphase::Exit& exit, const Core& feature) const {
+    return gap_once_left(exit, feature) <= kMeeting * (core_.bounding_radius + core_.radius);
+  }
+
+  double gap_once_left(const narrowphase::Exit& exit, const Core& feature) const {
     Core moved = core_;
     moved.at = moved.at + exit.direction * exit.depth;
-    return gap_of_sets(moved, feature).distance <=
-           kMeeting * (core_.bounding_radius + core_.radius);
+    return gap_of_sets(moved, feature).distance;
   }
 
   const Core& core_;
