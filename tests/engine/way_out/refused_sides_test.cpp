@@ -95,6 +95,15 @@ TEST(Sides, ASolidHasItsFrontsOutside) {
     triangles.push_back({t[0] + 4, t[1] + 4, t[2] + 4});
   vertices.insert(vertices.end(), shell.vertices().begin(), shell.vertices().end());
   const Mesh touched(vertices, std::span<const TriangleIndices>(triangles));
+  // Beside it a box that is inside out: it is that box which is named.
+  const Mesh faulty = boxes_in_one({{beside, -1}});
+  std::vector<Vector3d> more = vertices;
+  more.insert(more.end(), faulty.vertices().begin(), faulty.vertices().end());
+  std::vector<TriangleIndices> of_more = triangles;
+  const auto first = static_cast<std::uint32_t>(vertices.size());
+  for (const TriangleIndices& t : faulty.triangles())
+    of_more.push_back({t[0] + first, t[1] + first, t[2] + first});
+  const Mesh touched_and_faulty(more, std::span<const TriangleIndices>(of_more));
   const Mesh turned(vertices, [&] {
     for (int i = 0; i < 4; ++i)
       std::swap(triangles[static_cast<std::size_t>(i)][0],
@@ -117,6 +126,7 @@ TEST(Sides, ASolidHasItsFrontsOutside) {
     EXPECT_THROW(world.add({Shape(mesh)}, {.sides = kSolidSides}), MeshError);
   };
   expect_refused(boxes_in_one({{middle, -1}}), 0);
+  expect_refused(touched_and_faulty, static_cast<std::uint64_t>(triangles.size()));
   expect_refused(boxes_in_one({{middle, 2}, {middle, 1}}), 12);  // no cavity
   expect_refused(boxes_in_one({{middle, -2}, {middle, 1}}), 0);
   expect_refused(boxes_in_one({{middle, 1}, {beside, -1}}), 12);
