@@ -21,7 +21,7 @@ void FormerBoxes::add(std::uint32_t number, const OrderedBox& box) {
   number_[size_ - 1] = number;
 }
 
-void FormerBoxes::find_pairs(PairBuffer& out) {
+void FormerBoxes::list_overlaps(PairBuffer& out) {
   out.clear();
   if (size_ == 0) return;
   layer_.reshape(0, static_cast<std::uint32_t>(high_.size()));
@@ -29,7 +29,7 @@ void FormerBoxes::find_pairs(PairBuffer& out) {
   const TreeView tree = layer_.view(high_.data(), low_.data(), number_.data());
   const auto level = static_cast<std::uint8_t>(layer_.top - 1);
   const BlockPair all = {0, 0, level, level, 0};
-  bvh::find_pairs(tree, tree, {&all, 1}, out);
+  find_pairs(tree, tree, {&all, 1}, out);
 }
 
 std::size_t FormerBoxes::bytes() const {

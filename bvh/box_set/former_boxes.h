@@ -18,7 +18,7 @@ class FormerBoxes {
   void add(std::uint32_t number, const OrderedBox& box);
 
   /// Finds all pairs of numbers whose boxes overlap, exactly, each once.
-  void find_pairs(PairBuffer& out);
+  void list_overlaps(PairBuffer& out);
 
   std::size_t bytes() const;
 

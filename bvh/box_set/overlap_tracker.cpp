@@ -19,20 +19,20 @@ BoxPair ordered_pair(std::uint32_t s, std::uint32_t t) {
 }  // namespace
 
 void OverlapTracker::insert(std::uint32_t proxy, const Aabb& box) {
-  wait({Verb::Insert, proxy, box});
+  hold({Verb::Insert, proxy, box});
 }
 
 void OverlapTracker::move(std::uint32_t proxy, const Aabb& box) {
-  wait({Verb::Move, proxy, box});
+  hold({Verb::Move, proxy, box});
 }
 
 void OverlapTracker::erase(std::uint32_t proxy) {
-  wait({Verb::Erase, proxy, {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()}});
+  hold({Verb::Erase, proxy, {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()}});
 }
 
-/// Lets a change wait. Changes are made in the order in which they came. Those that wait cannot
-/// fail any more: each takes at most one new place.
-void OverlapTracker::wait(const WaitingChange& change) {
+/// Holds a change until later. Changes are made in the order in which they came. Those that wait
+/// cannot fail any more: each takes at most one new place.
+void OverlapTracker::hold(const WaitingChange& change) {
   if (waiting_count_ == kMostWaiting) make_waiting_changes();
   if (change.verb == Verb::Insert) set_.store().reserve(kMostWaiting, change.proxy + 1);
   waiting_[waiting_count_++] = change;
@@ -143,7 +143,8 @@ void OverlapTracker::search_movers() {
   set_.order().prepare_for_lookups(changed_.size());
   list_former_boxes();
   list_movers();
-  compare_places();
+  look_up_all();
+  end_pairs_of_movers();
   edit_list();
   if (begun_.size() + ended_.size() != 0) is_grouped_ = is_sorted_ = false;
   has_difference_ = true;
@@ -181,13 +182,11 @@ void OverlapTracker::sort_movers() {
 }
 
 /// Looks up both places of each mover at once, after all have moved. That tells what began and
-/// ended with boxes that did not move. What began between two movers the list does not know yet;
-/// what ended between two is found among the places where they were.
-void OverlapTracker::compare_places() {
+/// ended with boxes that did not move. What began between two movers the list does not know yet.
+void OverlapTracker::look_up_all() {
   is_changed_.resize(std::max<std::size_t>(is_changed_.size(), set_.store().proxy_limit()));
   for (std::size_t first = 0; first < movers_.size(); first += kLanes)
     look_up_some(first);
-  end_pairs_of_movers();
 }
 
 /// Looks up the next sixteen movers in both of their places.
@@ -214,8 +213,9 @@ void OverlapTracker::look_up_some(std::size_t first) {
   }
 }
 
+/// Ends pairs of two movers, which are found among the places where they were.
 void OverlapTracker::end_pairs_of_movers() {
-  former_.find_pairs(former_pairs_);
+  former_.list_overlaps(former_pairs_);
   for (const BoxPair& pair : former_pairs_.pairs()) {
     const auto [a, b] = pair;
     const bool is_over = !set_.store().contains(a) || !set_.store().contains(b) ||

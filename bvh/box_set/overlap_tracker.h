@@ -99,14 +99,14 @@ class OverlapTracker {
 
   const ChangedBox& changed_box_of(const Mover& mover) const { return changed_[mover.changed]; }
   std::size_t most_changes() const;
-  void wait(const WaitingChange& change);
+  void hold(const WaitingChange& change);
   void note(std::uint32_t proxy);
   void note_one(std::uint32_t proxy);
   void count_all_as_changed();
   void forget_changes();
   void search_all();
   void search_movers();
-  void compare_places();
+  void look_up_all();
   void look_up_some(std::size_t first);
   void end_pairs_of_movers();
   void edit_list();

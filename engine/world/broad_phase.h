@@ -51,7 +51,7 @@ using RayBoxVisitor = std::function<double(std::uint32_t index)>;
 /// next update() on. The cost of an update grows with the boxes that moved and the pairs that this
 /// changed: it is nothing if nothing moved. The first query after changes does the work that the
 /// update would do for them: about a microsecond after one change, and a sort after very many.
-/// Queries at the same time wait for that first one; box() and later queries do not wait. A call
+/// Queries and box() at the same time wait for that first one; after it none waits. A call
 /// that throws for want of memory (std::bad_alloc) changes nothing: after such an update the pairs
 /// are those of before, none began or ended, and the next update lists all that has changed since.
 /// All lists are the same for any number of threads and on any SIMD target. Spans are valid until

@@ -16,6 +16,9 @@ constexpr std::size_t kHoleShare = 8;
 constexpr std::size_t kQueryNewcomerShare = 4;
 constexpr double kMuchDegraded = 4;
 
+// Sorting costs so many pairs of blocks, which a search could have met instead, for each block.
+constexpr double kSortCost = 80;
+
 // Sorting costs so much for each newcomer, in blocks that a lookup could have met instead.
 constexpr std::size_t kNewcomerSortCost = 8;
 
@@ -183,7 +186,7 @@ bool BoxOrder::fill_hole(std::uint32_t proxy, const OrderedBox& box) {
   return true;
 }
 
-void BoxOrder::refit() {
+void BoxOrder::refit_and_regroup() {
   if (store_.are_all_dirty) {
     refit_every_layer();
     store_.are_all_dirty = false;
@@ -301,7 +304,7 @@ bool BoxOrder::move_outlier(std::size_t l, std::uint32_t b) {
 }
 
 void BoxOrder::prepare_for_queries() {
-  refit();
+  refit_and_regroup();
   if (store_.newcomers > kFewNewcomers + store_.size / kQueryNewcomerShare ||
       degradation_ > kMuchDegraded * static_cast<double>(store_.high.size())) {
     sort();
@@ -311,7 +314,7 @@ void BoxOrder::prepare_for_queries() {
 }
 
 void BoxOrder::prepare_for_lookups(std::size_t lookups) {
-  refit();
+  refit_and_regroup();
   const double blocks = static_cast<double>(store_.high.size());
   if (store_.newcomers > kFewNewcomers + store_.size / kNewcomerShare ||
       store_.holes > kFewNewcomers + store_.size / kHoleShare || degradation_ > blocks) {
@@ -321,6 +324,22 @@ void BoxOrder::prepare_for_lookups(std::size_t lookups) {
   // A lookup meets every block of newcomers in the order in which they came.
   const std::size_t unsorted = store_.newcomers - std::min(store_.newcomers, sorted_newcomers_);
   if (unsorted / kLanes * lookups > kNewcomerSortCost * store_.newcomers) sort_newcomers();
+}
+
+double BoxOrder::predicted_order_cost() const {
+  const double blocks = static_cast<double>(store_.high.size());
+  if (sorts_ == 0) return 0.5 * blocks * blocks;
+  return static_cast<double>(met_sorted_) * degradation_ / std::max(1.0, blocks);
+}
+
+void BoxOrder::prepare_for_search() {
+  refit_and_regroup();
+  const double cost = kSortCost * static_cast<double>(store_.high.size());
+  if (order_cost_ + predicted_order_cost() > cost || store_.holes > kLanes + store_.size / 8) {
+    sort();
+  } else if (store_.newcomers > sorted_newcomers_) {
+    sort_newcomers();
+  }
 }
 
 void BoxOrder::note_search(std::uint64_t met) {

@@ -22,7 +22,7 @@ class BoxOrder {
 
   /// Makes the bounds fit the boxes again, moves outliers and sorts groups that were stretched.
   /// Only dirty blocks take time, unless many moved at once: then all do.
-  void refit();
+  void refit_and_regroup();
 
   /// Refits, and orders the boxes anew if many came: this prepares for queries.
   void prepare_for_queries();
@@ -112,7 +112,8 @@ class BoxOrder {
   std::uint64_t met_sorted_ = 0;  ///< pairs of blocks met in the first search after the last sort
   double order_cost_ =
       0;  ///< what the old order has cost: pairs of blocks met since then beyond that number
-  double degradation_ = 0;  ///< summed over blocks (degradation() in layer.h), kept up by refit()
+  double degradation_ =
+      0;  ///< summed over blocks (degradation() in layer.h), kept up by refit_and_regroup()
 };
 
 }  // namespace graze::bvh

@@ -9,31 +9,12 @@
 namespace graze::bvh {
 namespace {
 
-// Sorting costs so many pairs of blocks, which a search could have met instead, for each block.
-constexpr double kSortCost = 80;
-
 constexpr std::size_t kMostLayers = 24;
 constexpr std::size_t kSample = 1024;  // boxes that tell how densely all lie
 
 constexpr std::size_t kRoomShare = 64;  // one block in so many is kept for newcomers
 
 }  // namespace
-
-double BoxOrder::predicted_order_cost() const {
-  const double blocks = static_cast<double>(store_.high.size());
-  if (sorts_ == 0) return 0.5 * blocks * blocks;
-  return static_cast<double>(met_sorted_) * degradation_ / std::max(1.0, blocks);
-}
-
-void BoxOrder::prepare_for_search() {
-  refit();
-  const double cost = kSortCost * static_cast<double>(store_.high.size());
-  if (order_cost_ + predicted_order_cost() > cost || store_.holes > kLanes + store_.size / 8) {
-    sort();
-  } else if (store_.newcomers > sorted_newcomers_) {
-    sort_newcomers();
-  }
-}
 
 /// Returns the centres of some boxes, relative to the lowest corner of all, which keeps them small
 /// enough for float.

@@ -55,7 +55,7 @@ struct BroadcastBox {
 };
 
 /// Bit i is set unless the high halves alone show that lane i and the box share no point.
-HWY_INLINE std::uint32_t near_lanes(const Block& block, const BroadcastBox& box) {
+HWY_INLINE std::uint32_t candidate_lanes(const Block& block, const BroadcastBox& box) {
   const Tag tag;
   std::uint32_t far_bits = 0;
   for (std::uint32_t lane = 0; lane < kLanes; lane += static_cast<std::uint32_t>(hn::Lanes(tag))) {
@@ -196,9 +196,9 @@ HWY_INLINE Pair* list_pairs(std::uint32_t mine, const std::uint32_t* others, std
 
 /// Pairs of blocks of boxes, met a batch at a time. Each stage runs over a plain queue without a
 /// branch, because what a pair of blocks holds cannot be foreseen.
-class LeafBatch {
+class BlockBatch {
  public:
-  HWY_INLINE LeafBatch(const TreeView& a, const TreeView& b, PairBuffer& out)
+  HWY_INLINE BlockBatch(const TreeView& a, const TreeView& b, PairBuffer& out)
       : tree_{&a, &b}, out_(out) {}
 
   HWY_INLINE void add(std::uint32_t a, std::uint32_t b) {
@@ -256,8 +256,8 @@ class LeafBatch {
   HWY_INLINE std::uint32_t* list_rows(std::uint32_t i, std::uint32_t* end) {
     const LeafPair& pair = pairs_[i];
     const std::uint32_t near[2] = {
-        near_lanes(high(0, pair.block[0]), bounds(*tree_[1], 0, pair.block[1])),
-        near_lanes(high(1, pair.block[1]), bounds(*tree_[0], 0, pair.block[0]))};
+        candidate_lanes(high(0, pair.block[0]), bounds(*tree_[1], 0, pair.block[1])),
+        candidate_lanes(high(1, pair.block[1]), bounds(*tree_[0], 0, pair.block[0]))};
     const int side = std::popcount(near[0]) > std::popcount(near[1]), other = 1 - side;
     const std::uint32_t mine = pair.block[side], theirs = pair.block[other];
     const Block &rows = high(side, mine), &columns = high(other, theirs);

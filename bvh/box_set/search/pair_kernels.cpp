@@ -28,10 +28,10 @@ HWY_INLINE void open(const TreeView& a, const TreeView& b, BlockPair pair, const
   if (pair.level_a == pair.level_b) {
     --next.level_a, --next.level_b;
     const bool is_same = &block_a == &block_b;
-    std::uint32_t rows = near_lanes(block_a, bounds(b, pair.level_b, pair.b));
+    std::uint32_t rows = candidate_lanes(block_a, bounds(b, pair.level_b, pair.b));
     for (; rows != 0; rows &= rows - 1) {
       const auto i = static_cast<std::uint32_t>(std::countr_zero(rows));
-      std::uint32_t overlapping = near_lanes(block_b, BroadcastBox(block_a, i));
+      std::uint32_t overlapping = candidate_lanes(block_b, BroadcastBox(block_a, i));
       if (is_same) overlapping &= 0xffffu << i;
       next.a = pair.a * kLanes + i;
       for (; overlapping != 0; overlapping &= overlapping - 1) {
@@ -41,14 +41,14 @@ HWY_INLINE void open(const TreeView& a, const TreeView& b, BlockPair pair, const
     }
   } else if (pair.level_a > pair.level_b) {
     --next.level_a;
-    std::uint32_t overlapping = near_lanes(block_a, bounds(b, pair.level_b, pair.b));
+    std::uint32_t overlapping = candidate_lanes(block_a, bounds(b, pair.level_b, pair.b));
     for (; overlapping != 0; overlapping &= overlapping - 1) {
       next.a = pair.a * kLanes + static_cast<std::uint32_t>(std::countr_zero(overlapping));
       push(next);
     }
   } else {
     --next.level_b;
-    std::uint32_t overlapping = near_lanes(block_b, bounds(a, pair.level_a, pair.a));
+    std::uint32_t overlapping = candidate_lanes(block_b, bounds(a, pair.level_a, pair.a));
     for (; overlapping != 0; overlapping &= overlapping - 1) {
       next.b = pair.b * kLanes + static_cast<std::uint32_t>(std::countr_zero(overlapping));
       push(next);
@@ -58,7 +58,7 @@ HWY_INLINE void open(const TreeView& a, const TreeView& b, BlockPair pair, const
 
 std::uint64_t find_pairs(const TreeView& a, const TreeView& b, std::span<const BlockPair> starts,
                          PairBuffer& out) {
-  LeafBatch leaves(a, b, out);
+  BlockBatch leaves(a, b, out);
   BlockPair stack[kStackSize];
   for (const BlockPair& start : starts) {
     BlockPair* end = stack;
@@ -95,7 +95,7 @@ void find_overlapping(const TreeView& tree, const OrderedBox& box,
   while (end != stack) {
     const Entry entry = *--end;
     const Block& block = tree.level[entry.level][entry.block];
-    std::uint32_t overlapping = near_lanes(block, high);
+    std::uint32_t overlapping = candidate_lanes(block, high);
     if (entry.level != 0) {
       for (; overlapping != 0; overlapping &= overlapping - 1) {
         const std::uint32_t next =
@@ -118,7 +118,7 @@ void find_overlapping(const TreeView& tree, const OrderedBox& box,
 
 HWY_INLINE std::uint32_t exact_lanes(const Block& block, const LowBlock& low,
                                      const BroadcastBox& high, const OrderedBox& box) {
-  const std::uint32_t near = near_lanes(block, high);
+  const std::uint32_t near = candidate_lanes(block, high);
   const std::uint32_t unsure = near & ~sure_lanes(block, high);
   return HWY_UNLIKELY(unsure != 0) ? (near & ~unsure) | decided_lanes(block, low, box, unsure)
                                    : near;
@@ -140,8 +140,8 @@ HWY_INLINE void step_down(const TreeView& tree, int level, const Block& before, 
   lookup.below.clear();
   for (const Reached& at : lookup.reached) {
     const Block& block = tree.level[level][at.block];
-    std::uint32_t overlapping = near_lanes(block, BroadcastBox(before, at.mover)) |
-                                near_lanes(block, BroadcastBox(after, at.mover));
+    std::uint32_t overlapping = candidate_lanes(block, BroadcastBox(before, at.mover)) |
+                                candidate_lanes(block, BroadcastBox(after, at.mover));
     for (; overlapping != 0; overlapping &= overlapping - 1) {
       const std::uint32_t next =
           at.block * kLanes + static_cast<std::uint32_t>(std::countr_zero(overlapping));

@@ -92,7 +92,8 @@ struct alignas(64) Block {
   std::int32_t row[6][kLanes];
 };
 
-/// The low halves that go with a block of boxes. They are read only where high halves are equal.
+/// The low halves that go with a block of boxes. A search reads them only where high halves are
+/// equal.
 struct alignas(64) LowBlock {
   std::uint32_t row[6][kLanes];
 };

@@ -25,9 +25,9 @@ struct BoxStore {
   std::vector<Layer> layers;           ///< the layers by size; the last holds what came since the
                                        ///< sort
   std::size_t size = 0;                ///< the number of boxes
-  std::size_t newcomers = 0;           ///< places of the last layer that are or were taken
-  std::size_t holes = 0;               ///< places that boxes have left
-  std::vector<std::uint32_t> dirty;    ///< blocks whose boxes have changed since the last refit
+  std::size_t newcomers = 0;  ///< places of the last layer that newcomers took, some left since
+  std::size_t holes = 0;      ///< places that boxes have left
+  std::vector<std::uint32_t> dirty;  ///< blocks whose boxes have changed since the last refit
   bool are_all_dirty = false;
   bool was_sorted = false;  ///< whether the boxes were ever sorted
 
@@ -110,7 +110,7 @@ class ManyMoves {
 
   BoxStore& store_;
   const Workers& workers_;
-  std::vector<bool> is_named_;  ///< for each place, whether a box moves there
+  std::vector<bool> is_named_;  ///< for each place, whether the box that is there moves
   RankedProxies ranked_;
 };
 

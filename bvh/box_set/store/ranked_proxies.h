@@ -7,8 +7,8 @@
 
 namespace graze::bvh {
 
-/// Says which proxies an ascending list names, and where in the list: it takes a bit and a half for
-/// each proxy, where a table would take 32.
+/// Says which proxies an ascending list names, and where in the list: it takes two bits for each
+/// proxy, where a table would take 32.
 class RankedProxies {
  public:
   /// Takes a list: `proxy_of(i)`, for i below `count`, ascends and stays below `proxies`.

@@ -227,7 +227,7 @@ HWY_INLINE WideFront::Planes<FrontKind::Distance>& planes_of(
   return state.distance;
 }
 
-/// Finds which pairs of a front are due in a pass, and new budgets for the others.
+/// Finds which pairs of a front are due in a pass, and renews the budgets of the others.
 template <FrontKind kind>
 class FrontDue {
  protected:
@@ -246,13 +246,12 @@ class FrontDue {
       outlook_[side].set(pass, side);
   }
 
-  /// Lists at the front of state_.due the pairs that have to be looked at again, and returns how
-  /// many these are: those that are due by their budgets, but not those that their planes still
-  /// keep out, which get later budgets. There are no branches but the loops, because nothing of it
-  /// can be predicted.
+  /// Gives later budgets to pairs whose budget is spent but that their planes still keep out. The
+  /// others whose budget is spent are due: lists these at the front of state_.due, and returns how
+  /// many they are. There are no branches but the loops, because nothing of it can be predicted.
   template <typename Planes>
-  HWY_NOINLINE std::size_t find_due(const std::vector<Planes>& planes,
-                                    std::vector<float>& budgets) const {
+  HWY_NOINLINE std::size_t renew_budgets(const std::vector<Planes>& planes,
+                                         std::vector<float>& budgets) const {
     const std::size_t size = list_spent(budgets);
     std::uint32_t* const due = state_.due.data();
     std::size_t due_count = 0;
@@ -288,10 +287,10 @@ class FrontDue {
     std::size_t count = 0;
     std::size_t i = 0;
     for (; i + lanes <= size; i += lanes) {
-      const auto is_due =
+      const auto is_spent =
           hn::Le(hn::LoadU(tag, budgets.data() + i), hn::Set(tag, look_ahead_.spent));
       count += hn::CompressStore(hn::Iota(indices, static_cast<std::uint32_t>(i)),
-                                 hn::RebindMask(indices, is_due), indices, list + count);
+                                 hn::RebindMask(indices, is_spent), indices, list + count);
     }
     for (; i < size; ++i) {
       list[count] = static_cast<std::uint32_t>(i);

@@ -182,11 +182,11 @@ class FrontLeaves : protected FrontDue<kind> {
  protected:
   using Base = FrontDue<kind>;
   using Base::budget_after;
-  using Base::find_due;
   using Base::outlook_;
   using Base::pass_;
   using Base::planes_;
   using Base::prefetch;
+  using Base::renew_budgets;
   using Base::required_;
   using Base::state_;
   using typename Base::LeafPlanes;
@@ -197,7 +197,7 @@ class FrontLeaves : protected FrontDue<kind> {
 
   /// Compares leaves that are due: it finds which of their primitives may be within the limit.
   HWY_INLINE void compare_due_leaves() {
-    const std::size_t near = find_due(planes_.of_leaves, state_.leaves_budgets);
+    const std::size_t near = renew_budgets(planes_.of_leaves, state_.leaves_budgets);
     state_.looked_at += near;
     for (std::size_t i = 0; i < near; ++i)
       compare_leaves(state_.due[i]);
@@ -209,7 +209,7 @@ class FrontLeaves : protected FrontDue<kind> {
     state_.crossing.size = 0;
     state_.unsure.size = 0;
     separate_leaves(decide_busy());
-    const std::size_t near = find_due(planes_.of_leaves, state_.leaves_budgets);
+    const std::size_t near = renew_budgets(planes_.of_leaves, state_.leaves_budgets);
     state_.looked_at += near;
     separate_leaves(near);
   }

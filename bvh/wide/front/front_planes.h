@@ -148,7 +148,7 @@ enum class FrontKind { Intersection, Distance };
 /// The planes that keep pairs out: lane by lane a direction in the tested node's frame, no longer
 /// than 1 but for rounding, which kRoundPlanes covers, and how far beyond the tested node a query
 /// box is along it. Gaps are those of the pose at begin(), but for what turning may have cost; they
-/// are infinite in lanes that need no plane. Nothing is kept out at first.
+/// are infinite in lanes that need no plane. At first they keep nothing out.
 template <std::size_t lanes, FrontKind kind>
 struct FrontPlanes;
 

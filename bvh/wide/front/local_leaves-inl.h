@@ -3,14 +3,7 @@
 //
 // A primitive is stored as two edges from its first corner, and a pair of primitives as these four
 // and the offset from the tested primitive's first corner to the other's, all in the tested node's
-// frame. A corner of the query box, off by u |p| as it is stored, u = 2^-24, is off by 1.74 u g
-// once it is turned, where g is the largest coordinate of the query's treelet; a corner of the
-// tested node by u h. The offsets of both first corners from those of their leaves are differences
-// of floats, no longer than the leaves' sizes t and s, and the offset between these, of component o
-// at most, is computed in double and rounded once. With the roundings of the columns, of products
-// and of sums the offset between two primitives is off by u (1.74 g + h) + 6 u (o + s + t), an edge
-// of the query box by u (3.47 g + 5 t), one of the tested node by u (2 h + s). What doubles round
-// is less than a millionth of that. kStoredError is 4 u, kLocalError 8 u.
+// frame. How far they are off is derived beside kStoredError (wide_bounds.h).
 
 #if defined(GRAZE_BVH_LOCAL_LEAVES) == defined(HWY_TARGET_TOGGLE)
 #ifdef GRAZE_BVH_LOCAL_LEAVES
@@ -27,7 +20,7 @@ namespace graze::bvh::HWY_NAMESPACE {
 namespace {
 
 /// Says how far each component is off: of edges of the tested node, of the query box, and of the
-/// offset between first corners, which is off by more than both. The errors are infinite where
+/// offset between first corners, which is off by no less than both. The errors are infinite where
 /// products could overflow.
 struct LocalErrors {
   float tested;

@@ -13,7 +13,7 @@ constexpr double kLeastDistance = 0x1p-50;
 /// The number of elements that vectors have room for at first.
 constexpr std::size_t kFirstSize = 64;
 
-/// Returns the largest budget that makes a pair due.
+/// Returns the largest budget that counts as spent within this limit.
 float spent_at(const WideFront::Pass& pass, double limit) {
   return rounded_up(pass.spent + (limit + 2 * pass.slack) / static_cast<double>(pass.deviation));
 }
@@ -45,8 +45,8 @@ void WideFront::Pass::aim_along(const double (&along)[3]) {
   }
 }
 
-void WideFront::set_poses(const RelativeFrame& b_in_a, const RelativeFrame& a_in_b,
-                          const MotionBound& motion) {
+void WideFront::move_to(const RelativeFrame& b_in_a, const RelativeFrame& a_in_b,
+                        const MotionBound& motion) {
   const RelativeFrame now[2] = {b_in_a, a_in_b};
   const double distance = motion.distance - motion_.distance;
   const double deviation = has_prediction_ ? prediction_.deviation(last_, now, distance) : 0;
@@ -144,16 +144,16 @@ void WideFront::update(const Pass& pass, double limit, const Foresight& foresigh
   skipped_ += known > tested ? known - tested : 0;
 }
 
-bool WideFront::is_due(std::size_t index, const Pass& pass, double limit) {
+bool WideFront::renew_budget(std::size_t index, const Pass& pass, double limit) {
   const FrontHorizon horizon = horizon_at(pass, limit);
   float& budget = state_.near_pair_budgets[index];
-  if (!(budget <= horizon.spent)) return false;
+  if (!(budget <= horizon.spent)) return true;
   const QueryBall& query = state_.distance.of_leaves[state_.near_pairs[index] / kLeafPairs].ball;
   const float gap = state_.near_pair_planes[index].gap_after(query, pass.since[query.tested_side]);
   const float later = rounded_down(pass.spent + static_cast<double>(gap));
-  if (!(gap > horizon.limit && later > horizon.spent)) return true;
+  if (!(gap > horizon.limit && later > horizon.spent)) return false;
   budget = later;
-  return false;
+  return true;
 }
 
 void WideFront::set_gap(std::size_t index, const Pass& pass, double gap) {

@@ -77,10 +77,9 @@ class WideFront {
   void begin(const WideTree& tree_a, const WideTree& tree_b, const RelativeFrame& b_in_a,
              const RelativeFrame& a_in_b);
 
-  /// Sets other poses of the same trees, in the same units, to which `motion` has led since
-  /// begin().
-  void set_poses(const RelativeFrame& b_in_a, const RelativeFrame& a_in_b,
-                 const MotionBound& motion);
+  /// Takes over other poses of the same trees, in the same units, to which `motion` has led since
+  /// begin(), and adds to the motion spent how much it has grown.
+  void move_to(const RelativeFrame& b_in_a, const RelativeFrame& a_in_b, const MotionBound& motion);
 
   /// Returns a pass in the poses that were set last.
   Pass start_pass(Kind kind) const;
@@ -94,8 +93,8 @@ class WideFront {
   /// Returns the motion spent, with which budgets are compared: how far B has come, or more.
   double spent() const { return spent_; }
 
-  /// Returns the share of all visits and leaves whose budget is spent in this pass: no more of them
-  /// are due.
+  /// Returns the share of all visits and leaves whose budget is spent in this pass. At most so many
+  /// of them are due, for planes may still keep some of them apart.
   double share_spent(const Pass& pass, double limit) const;
 
   /// Says what a pass does for later ones, so that the gap that it proves is larger. It opens boxes
@@ -109,7 +108,8 @@ class WideFront {
     std::size_t most_added = 0;
   };
 
-  /// Looks at all boxes and leaves that are due. Afterwards all primitives that are no further
+  /// Renews the budgets of boxes and leaves whose planes still keep them apart, and looks at all
+  /// others whose budget is spent: these are due. Afterwards all primitives that are no further
   /// apart than `limit` are listed: in a front of Kind::Distance by near_pair(), in one of
   /// Kind::Intersection, whose limit is 0, by crossing() if they surely cross and else by unsure(),
   /// which may list others, too.
@@ -126,22 +126,23 @@ class WideFront {
   std::size_t near_pair_count() const { return state_.near_pairs.size(); }
   PlacePair near_pair(std::size_t index) const { return places_of(state_.near_pairs[index]); }
 
-  /// True if a near pair may be `limit` apart or nearer, by what set_gap() and keep_apart() proved.
-  bool is_due(std::size_t index, const Pass& pass, double limit);
+  /// True if a near pair is further apart than `limit`, by what set_gap() and keep_apart() proved.
+  /// If the budget of that pair is spent, but not the gap along its plane, it gets a later budget.
+  bool renew_budget(std::size_t index, const Pass& pass, double limit);
 
-  /// Notes that near pair `index` is at least so far apart in this pass (common units).
+  /// Notes that near pair `index` is at least so far apart in this pass (common units): that is its
+  /// budget.
   void set_gap(std::size_t index, const Pass& pass, double gap);
 
-  /// Says how far two primitives are apart at least along a direction, from A to B, which is no
-  /// longer than 1 in the frame of either tree (common units).
+  /// A lower bound of how far two primitives are apart along a direction, common units.
   struct Gap {
     double units;
-    double along_in_a[3];
-    double along_in_b[3];
+    double along_in_a[3];  ///< the direction from A to B in the frame of A, no longer than 1
+    double along_in_b[3];  ///< the same in the frame of B
   };
 
-  /// Notes that near pair `index` is apart by that gap in this pass. As long as it is, it is not
-  /// due.
+  /// Notes that near pair `index` is apart by that gap in this pass, and keeps the plane across its
+  /// direction, by which renew_budget() tells how far apart the pair is in later poses.
   void keep_apart(std::size_t index, const Pass& pass, const Gap& gap);
 
   /// Returns how far apart all is at least, if no near pair was within the limit and nothing met.
@@ -229,11 +230,12 @@ class WideFront {
     std::vector<std::uint32_t> near_pairs;  ///< near pairs, as the lanes of LeafPairs
     std::vector<float> near_pair_budgets;
     std::vector<FrontPlane> near_pair_planes;
-    std::vector<std::uint32_t> due;  ///< working memory: indices of what is due in a pass
-    std::size_t looked_at = 0;       ///< how many the last pass looked at, of those that were there
-                                     ///< before it
-    float least_budget = 0;          ///< the least budget of visits and leaves, if none is busy
-    std::uint64_t lanes = 0;         ///< the number of lanes of all visits
+    std::vector<std::uint32_t>
+        due;                    ///< working memory: indices of what is spent, then of what is due
+    std::size_t looked_at = 0;  ///< how many the last pass looked at, of those that were there
+                                ///< before it
+    float least_budget = 0;     ///< the least budget of visits and leaves, if none is busy
+    std::uint64_t lanes = 0;    ///< the number of lanes of all visits
     WideWalkCounts counts;
   };
 
@@ -242,8 +244,8 @@ class WideFront {
 
   State state_;
   RelativeFrame first_[2] = {};  ///< the frames at begin()
-  RelativeFrame last_[2] = {};   ///< the frames at the last set_poses()
-  MotionBound motion_;           ///< the motion from begin() to the last set_poses()
+  RelativeFrame last_[2] = {};   ///< the frames at the last move_to()
+  MotionBound motion_;           ///< the motion from begin() to the last move_to()
   double spent_ = 0;             ///< the motion spent (front_planes.h)
   bool has_prediction_ = false;
   MotionPrediction prediction_;
@@ -252,8 +254,8 @@ class WideFront {
 
 // What the kernels are called with.
 
-/// Pairs that are further apart than `limit` and whose budget is more than `spent` are skipped: the
-/// others are due.
+/// Pairs that are further apart than `limit` and whose budget is more than `spent` are skipped. The
+/// budgets of the others are spent; those of them that no plane keeps out any more are due.
 struct FrontHorizon {
   float limit;  ///< common units
   float spent;  ///< the motion spent, with slacks and the limit, as budgets are

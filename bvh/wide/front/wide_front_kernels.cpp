@@ -1,9 +1,11 @@
 // A pass that updates the front of two wide trees (front tracking: wide_front.h), for each SIMD
 // target that the compiler knows.
 //
-// Two slacks are taken off a gap: three times that of the query in which it was proved, and twice
-// that of the query that uses it, by which two placed primitives may be nearer than the trees'
-// frames say (engine/mesh/memory/pair_cache.cpp). Neither is counted on to cover the other.
+// Two slacks are taken off a gap: three times that of the query in which it was proved, as of every
+// comparison of boxes (wide_bounds.h), and twice that of the query that uses it. The second is for
+// placed primitives that share a point: in the trees' frames some points of theirs lie up to the
+// slack apart in each component, and so less than twice the slack apart. Neither slack is counted
+// on to cover the other.
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "graze/bvh/wide/front/wide_front_kernels.cpp"
@@ -38,8 +40,8 @@ class FrontUpdater : private FrontLeaves<kind> {
   void run() {
     if (state_.visits.empty()) add_visit({state_.tree[0]->root(), state_.tree[1]->root()});
     const std::size_t visits = state_.visits.size();
-    if (look_ahead_.limit > required_.limit && is_look_ahead_in_vain()) look_ahead_ = required_;
-    const std::size_t due = find_due(planes_.of_visits, state_.visit_budgets);
+    if (look_ahead_.limit > required_.limit) end_vain_look_ahead();
+    const std::size_t due = renew_budgets(planes_.of_visits, state_.visit_budgets);
     for (std::size_t i = 0; i < due; ++i) {
       if (i + 2 * kAhead < due) {
         prefetch(state_.visits[state_.due[i + 2 * kAhead]]);
@@ -69,13 +71,13 @@ class FrontUpdater : private FrontLeaves<kind> {
   using Base::budget_after;
   using Base::compare_due_leaves;
   using Base::decide_leaves;
-  using Base::find_due;
   using Base::least_of;
   using Base::look_ahead_;
   using Base::outlook_;
   using Base::pass_;
   using Base::planes_;
   using Base::prefetch;
+  using Base::renew_budgets;
   using Base::required_;
   using Base::state_;
   using typename Base::LeafPlanes;
@@ -86,16 +88,18 @@ class FrontUpdater : private FrontLeaves<kind> {
 
   std::size_t size() const { return state_.visits.size() + state_.leaves.size(); }
 
-  /// True if it is vain to look ahead: so many pairs are near enough that most of them could not be
-  /// opened, or primitives are so near that no gap is worth it.
-  HWY_INLINE bool is_look_ahead_in_vain() const {
-    const std::size_t leaves = find_due(planes_.of_leaves, state_.leaves_budgets);
+  /// Renews budgets, and ends the look-ahead where it is vain: so many pairs are near enough that
+  /// most of them could not be opened, or primitives are so near that no gap is worth it.
+  HWY_INLINE void end_vain_look_ahead() {
+    const std::size_t leaves = renew_budgets(planes_.of_leaves, state_.leaves_budgets);
     for (std::size_t i = 0; i < leaves; ++i) {
       const LeafPlanes& planes = planes_.of_leaves[state_.due[i]];
-      if (!(outlook_[planes.ball.tested_side].gap(planes) > useful_)) return true;
+      if (outlook_[planes.ball.tested_side].gap(planes) > useful_) continue;
+      look_ahead_ = required_;
+      return;
     }
-    const std::size_t near = leaves + find_due(planes_.of_visits, state_.visit_budgets);
-    return 2 * near > most_size_ - size();
+    const std::size_t near = leaves + renew_budgets(planes_.of_visits, state_.visit_budgets);
+    if (2 * near > most_size_ - size()) look_ahead_ = required_;
   }
 
   HWY_INLINE void prefetch_visit(std::size_t index) const {

@@ -298,8 +298,8 @@ struct PairNormals {
   }
 };
 
-/// What is known of some pairs of two leaves, off by so much; lanes that hold no pair may say
-/// anything.
+/// What is known of some pairs of two leaves, whose corners are off by `errors`; lanes that hold no
+/// pair may say anything.
 template <typename AnyTag>
 struct LeafCrossings {
   using Values = hn::Vec<AnyTag>;

@@ -17,6 +17,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 HWY_BEFORE_NAMESPACE();
 namespace graze::bvh::HWY_NAMESPACE {
@@ -29,6 +30,14 @@ using Lanes = hn::Vec<Tag>;
 // Four values at a time, of which three count, or one by one where there are no vectors.
 using FourTag = hn::CappedTag<float, 4>;
 using Four = hn::Vec<FourTag>;
+
+/// A gap as far as it is known: one that is negative is none, and so is what overflowed.
+template <typename AnyTag>
+HWY_INLINE hn::Vec<AnyTag> known(AnyTag tag, hn::Vec<AnyTag> gap) {
+  const auto infinity = hn::Set(tag, std::numeric_limits<float>::infinity());
+  const auto is_known = hn::And(hn::Gt(gap, hn::Zero(tag)), hn::Lt(gap, infinity));
+  return hn::IfThenElseZero(is_known, gap);
+}
 
 /// Three rows of which each product with a vector takes four values at a time, from `part` on.
 struct Rows {

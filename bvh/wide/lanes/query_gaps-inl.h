@@ -49,14 +49,6 @@ struct Promises {
 // Middles tell where bounds do not.
 inline constexpr float kMiddleWeight = 0.1f;
 
-/// A gap as far as it is known: one that is negative is none, and so is what overflowed.
-template <typename AnyTag>
-HWY_INLINE hn::Vec<AnyTag> known(AnyTag tag, hn::Vec<AnyTag> gap) {
-  const auto infinity = hn::Set(tag, std::numeric_limits<float>::infinity());
-  const auto is_known = hn::And(hn::Gt(gap, hn::Zero(tag)), hn::Lt(gap, infinity));
-  return hn::IfThenElseZero(is_known, gap);
-}
-
 // Squares are taken in common units, the larger of both trees': what overflows then is far.
 HWY_INLINE Lanes squared_gap(Lanes distance, Lanes radii, Lanes unit) {
   const Lanes gap = hn::Mul(known(Tag(), hn::Sub(hn::Abs(distance), radii)), unit);

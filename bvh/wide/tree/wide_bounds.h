@@ -32,8 +32,9 @@ inline constexpr float kFitError = 0x1p-19f;
 /// The frame. Coordinates are those along the tested node's axes, y = F (p - o). There a tested
 /// node's box is a box exactly, and every vector is a direction to look along. No axis has to be a
 /// unit vector, nor at right angles to others, but for those of the query box. By how much the
-/// transform between the trees is no rotation is part of the slack (tripled as in
-/// obb_separation.cpp).
+/// transform between the trees is no rotation is part of the slack. That is derived for boxes along
+/// the axes of the trees, and tripled because the Gram matrix of the transform, seen from a box's
+/// own axes, deviates from the identity by up to three times as much as seen from the tree's.
 ///
 /// The query box's axes there, M_k = F R g_k, are off by 4 u in each component after the rotation,
 /// which begins with rounding R to float, and by 10 u in the end. From unit vectors at right angles
@@ -93,9 +94,19 @@ inline constexpr float kCornerError = 0x1p-19f;
 /// treelet.
 inline constexpr float kLeafInNodeError = 8;
 
-/// The errors of primitives that lie beside each other, each as two edges and an offset from corner
-/// to corner: of the largest coordinate of what is stored, and of the size of what is turned
-/// (bvh/wide/front/local_leaves-inl.h).
+/// The errors of two primitives of two leaves in local coordinates (bvh/wide/front): each as two
+/// edges from its first corner, and the offset from the tested primitive's first corner to the
+/// other's, all in the tested node's frame. kStoredError is a share of the largest coordinate of
+/// what is stored, kLocalError one of the size of what is turned.
+///
+/// A corner of the query box, off by u |p| as it is stored, is off by 1.74 u g once it is turned,
+/// where g is the largest coordinate of the query's treelet; a corner of the tested node by u h.
+/// The offsets of both first corners from those of their leaves are differences of floats, no
+/// longer than the leaves' sizes t and s, and the offset between these, of component o at most, is
+/// computed in double and rounded once. With the roundings of the columns, of products and of sums
+/// the offset between two primitives is off by u (1.74 g + h) + 6 u (o + s + t), an edge of the
+/// query box by u (3.47 g + 5 t), one of the tested node by u (2 h + s). What doubles round is less
+/// than a millionth of that. So 4 u and 8 u are enough.
 inline constexpr float kStoredError = 0x1p-22f;
 inline constexpr float kLocalError = 0x1p-21f;
 

@@ -114,7 +114,8 @@ void check_solids(const PairOptions& options, const PairJob& job) {
   check_closed(job.mesh_b, ("--solid: " + options.mesh_b).c_str());
 }
 
-/// Returns what "intersects" says where triangles alone do not tell.
+/// Returns whether the meshes intersect, as solids or surfaces, with or without touching, as the
+/// job says.
 bool do_intersect(const PairJob& job, const Pose& pose_b, Work& work) {
   const PlacedMeshView a{job.mesh_a, job.pose_a}, b{job.mesh_b, pose_b};
   if (job.interior == Interior::Solid && job.touch == Touch::Exclude)

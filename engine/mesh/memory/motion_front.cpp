@@ -149,7 +149,7 @@ bool MotionFront::has_many_near_pairs(const bvh::WideFront::Pass& pass, double l
   if (kind_ == bvh::WideFront::Kind::Intersection) return false;
   std::size_t due = 0;
   for (std::size_t i = 0; i < front_.near_pair_count(); ++i)
-    due += front_.is_due(i, pass, limit);
+    due += front_.renew_budget(i, pass, limit) ? 0 : 1;
   return due > kMostNearPairs;
 }
 
@@ -191,7 +191,7 @@ std::optional<bvh::WideFront::Pass> MotionFront::start_pass(const bvh::WideTree&
                                                             double limit) {
   if (!(limit < bvh::WideFront::kFarthest)) return std::nullopt;
   if (is_in_use_ && !is_outgrown()) {
-    front_.set_poses(b_in_a, a_in_b, motion_);
+    front_.move_to(b_in_a, a_in_b, motion_);
     if (!(front_.spent() < bvh::WideFront::kFarthest)) {
       is_in_use_ = false;
       return std::nullopt;

@@ -177,9 +177,9 @@ void remember(const TrianglePairs& found, PairCache& cache) {
   cache.pairs_found = found.pairs.size() + found.pairs.size() / 4;
 }
 
-HWY_NOINLINE TrianglePairs find_pairs(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b,
-                                      PairCache& cache, const MemoryPairSettings& settings,
-                                      Work* work) {
+HWY_NOINLINE TrianglePairs find_meeting_pairs(const PlacedMeshView& mesh_a,
+                                              const PlacedMeshView& mesh_b, PairCache& cache,
+                                              const MemoryPairSettings& settings, Work* work) {
   CountedWork counted(work);
   TrianglePairs found;
   IntersectionQuery query(mesh_a, mesh_b, cache, settings.touch, counted.work());
@@ -242,7 +242,7 @@ TrianglePairs find_triangle_pairs(const PlacedMeshView& mesh_a, const PlacedMesh
     narrowphase::check_touch(settings.touch);
     PairCache& cache = recall(memory, mesh_a, mesh_b);
     if (cache.are_still_apart_by(0, work)) return {};
-    return find_pairs(mesh_a, mesh_b, cache, settings, work);
+    return find_meeting_pairs(mesh_a, mesh_b, cache, settings, work);
   });
 }
 
@@ -256,7 +256,7 @@ TrianglePairs find_triangle_pairs(const PlacedMeshView& mesh_a, const PlacedMesh
     PairCache& cache = recall(memory, mesh_a, mesh_b);
     if (cache.are_still_apart_by(0, work)) return {};
     if (settings.threads == 1)
-      return find_pairs(mesh_a, mesh_b, cache, {.touch = settings.touch}, work);
+      return find_meeting_pairs(mesh_a, mesh_b, cache, {.touch = settings.touch}, work);
     return find_shared_pairs(mesh_a, mesh_b, cache, settings, work);
   });
 }

@@ -14,7 +14,8 @@
 namespace graze {
 namespace {
 
-/// A query that knows a pair of triangles near each other.
+/// A query for pairs within a limit that comes down, which asks a front. It takes the limit and the
+/// direction in which to look from a pair of triangles whose distance is known.
 class NearQuery {
  public:
   NearQuery(const WideQuery& query, PairCache& cache, Work& work)
@@ -48,7 +49,7 @@ class NearQuery {
     near.update(*pass, box_limit_.units(), work_);
     bvh::WideFront& front = near.front();
     for (std::size_t i = 0; i < front.near_pair_count(); ++i) {
-      if (!front.is_due(i, *pass, box_limit_.units())) continue;
+      if (front.renew_budget(i, *pass, box_limit_.units())) continue;
       const TrianglePair pair = query_.pair_at(front.near_pair(i));
       const Triangle triangle_a = query_.triangle_a(pair);
       const Triangle triangle_b = query_.triangle_b(pair);
@@ -75,7 +76,7 @@ class NearQuery {
   }
 
   /// Returns a lower bound of the true distance, from one as distance() returns it.
-  double surely(double metres) const { return metres - 0x1p-46 * largest_; }
+  double lower_bound_of(double metres) const { return metres - 0x1p-46 * largest_; }
 
  private:
   /// Turns a direction in space into the frame of a pose.
@@ -89,7 +90,7 @@ class NearQuery {
 
   /// Returns a lower bound, in the trees' frames, of a distance in space.
   double units_between(double metres) const {
-    return box_limit_.least_units(surely(metres)) - 2 * query_.b_in_a.slack;
+    return box_limit_.least_units(lower_bound_of(metres)) - 2 * query_.b_in_a.slack;
   }
 
   /// Returns the same of a gap along a direction, with the slack of both frames.
@@ -98,7 +99,7 @@ class NearQuery {
     // A pose makes the direction that it turns longer by 1.5e-6 at most.
     constexpr double kShorter = 1 - 0x1p-18;
     bvh::WideFront::Gap gap;
-    gap.units = kShorter * (box_limit_.least_units_along(surely(metres)) - 2 * slack);
+    gap.units = kShorter * (box_limit_.least_units_along(lower_bound_of(metres)) - 2 * slack);
     turn_into(gap.along_in_a, query_.a.pose, along.direction());
     turn_into(gap.along_in_b, query_.b.pose, along.direction());
     for (int i = 0; i < 3; ++i)
@@ -157,7 +158,7 @@ MeshDistance find_nearest(const WideQuery& meshes, TrianglePair pair, PairCache&
   } else if (best.distance == 0) {
     best = find_distance(meshes, best.pair, work);  // it decides which touching pair is returned
   }
-  if (best.distance > 0) cache.learn_gap(query.surely(best.distance));
+  if (best.distance > 0) cache.learn_gap(query.lower_bound_of(best.distance));
   return best;
 }
 

@@ -116,12 +116,13 @@ class Search {
   Work& work_;
 };
 
-/// The pairs that a walk over all that may meet found.
+/// What a walk to all pairs of triangles that meet says of the first of them.
 struct Meeting {
   /// The pair that a query for pairs with a limit of 1 begins with, if any meet: which this is
   /// depends on no direction, hint, memory or kernel.
   std::optional<TrianglePair> met;
-  /// If none meet, a pair that boxes did not tell apart: a good one to begin a search with.
+  /// If none meet, the last pair that boxes did not tell apart, if there was one: good to begin a
+  /// search with.
   std::optional<TrianglePair> near;
 };
 

@@ -28,12 +28,12 @@ inline Both absolute(Both v) {
 
 // The ball of a placed mesh. u = 2^-53, R, t the pose, o and r the centre and radius, x a vertex,
 // dev = max |R^T R - I| <= 1.001e-6 as it is (kMaxRotationDeviation bounds it as measured), s the
-// ball's sizes, which no coordinate of o or x exceeds, and T = s + |t_x| + |t_y| + |t_z|. The
-// spectral norm of R^T R - I is at most 3 dev, so |R (x - o)| <= (1 + 1.51 dev) r < (1 + 2^-19) r.
-// Law 1 rounds a coordinate of R x + t by at most 4 u * 1.74 s + u |t|, and t + R o, which is
-// summed up from t, by 4 u * 1.74 s + 3 u |t|, either below 8 u T: the two together are off by 16 u
-// T in each coordinate, by 28 u T in all. With the placed centres P as computed, two placed points
-// can be equal only if
+// sum of the largest coordinates (MeshBall::sizes), which no coordinate of o or x exceeds, and T =
+// s + |t_x| + |t_y| + |t_z|. The spectral norm of R^T R - I is at most 3 dev, so |R (x - o)| <= (1
+// + 1.51 dev) r < (1 + 2^-19) r. Law 1 rounds a coordinate of R x + t by at most 4 u * 1.74 s + u
+// |t|, and t + R o, which is summed up from t, by 4 u * 1.74 s + 3 u |t|, either below 8 u T: the
+// two together are off by 16 u T in each coordinate, by 28 u T in all. With the placed centres P as
+// computed, two placed points can be equal only if
 //   |P_B - P_A| <= (1 + 2^-19) (r_A + r_B) + 28 u (T_A + T_B).
 // As computed, d^2 is off by 6 u of itself and the square of the right side, the
 // limit, by a dozen u: it has 2^-18 and 64 u instead, and a difference of 2^-19 is billions of u.
@@ -68,8 +68,8 @@ bool are_surely_far_apart(const PlacedBall& a, const PlacedBall& b) {
   Both m[16];
   for (int i = 0; i < 16; ++i)
     m[i] = Both{of_a[i], of_b[i]};
-  // This checks as is_rigid() does; poses that only its second look would let in are left to
-  // others.
+  // This checks a pose as is_rigid() does, but by the sum of its deviations alone: poses that pass
+  // only because each of these is small are left to others.
   const auto product = [&](int i, int j) {
     return m[i] * m[j] + m[i + 1] * m[j + 1] + m[i + 2] * m[j + 2];
   };

@@ -79,7 +79,7 @@ NearTriangles::Scratch& NearTriangles::scratch() {
 
 void NearTriangles::add() {
   grow_known();
-  find_pairs();
+  find_near_pairs();
   find_exits();
   for (const NearPair& pair : s_.pairs)
     add_faces(pair);
@@ -106,7 +106,7 @@ void NearTriangles::grow_known() {
   }
 }
 
-void NearTriangles::find_pairs() {
+void NearTriangles::find_near_pairs() {
   const Vec3 origin = to_vec3(candidates_.origin);
   Core around_b = box_of(mesh_b_, origin);
   around_b.radius = candidates_.margin;

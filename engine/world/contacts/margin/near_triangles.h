@@ -60,7 +60,7 @@ class NearTriangles {
   static Scratch& scratch();
 
   void grow_known();
-  void find_pairs();
+  void find_near_pairs();
   void find_exits();
   static narrowphase::Vec3 exit_direction(const NearPair& pair);
   bool is_local(const NearPair& pair, const narrowphase::Vec3& normal, double negligible) const;
