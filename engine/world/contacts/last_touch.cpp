@@ -2,6 +2,7 @@
 #include <graze/narrowphase/convex/gap/closed_gap.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace graze {
 
@@ -35,7 +36,11 @@ std::optional<LastTouch> last_touch(const Core& body, const Core& other, const W
         gap.verdict != narrowphase::GapVerdict::NotReached && gap.lower - body.radius <= negligible;
     if (may_touch || apart <= negligible + gap.slack) {
       const Vec3 between = unit_or(gap.point_b - gap.point_a, -out.direction);
-      return LastTouch{way, gap.point_a + between * body.radius - out.direction * way, gap.point_b};
+      const Vec3 on_body = gap.point_a + between * body.radius - out.direction * way;
+      // The two may still be a hair apart, or that deep: the way is what the points are apart.
+      const double apart_along = dot(gap.point_b - on_body, out.direction);
+      if (std::abs(apart_along - way) <= negligible) way = apart_along;
+      return LastTouch{way, on_body, gap.point_b};
     }
     if (gap.lower - body.radius > left) return std::nullopt;
     const double closing = -dot(gap_normal(moved, other, gap), out.direction);

@@ -211,6 +211,20 @@ TEST(ContactPoints, InSpecialPosition) {
   hunt_in_special_position(52, 60);
 }
 
+/// The upper face of a cube of triangles lies a part of a millionth below a hull's lower one, leans
+/// as little, and ends a hundredth beside it: where the two touch last is found by steps, of which
+/// the last may leave a billionth.
+TEST(ContactPoints, OfAFaceThatLeansByAHair) {
+  Pose pose_a = at(0);
+  pose_a.linear() << -0x1p-52, 0, -1, 0, 1, 0, 1, 0, -0x1p-52;
+  Pose pose_b = at({-8.5421735728168756e-07, 0.0058586268515455082, 2.0000004901804482});
+  pose_b.linear() << -0.99999999999987466, -3.1557899141676738e-07, -3.8881563091995119e-07,
+      3.1557909124075949e-07, -0.99999999999991729, -2.5680365231801898e-07,
+      -3.8881554989861229e-07, -2.5680377498898545e-07, 0.99999999999989142;
+  const Shape hull = standard_shapes(ShapeKind::ConvexHull).front();
+  expect_on_both({hull, pose_a}, {tests::make_box({1, 1, 1}), pose_b}, "leans");
+}
+
 TEST(ContactPointsSlow, InGeneralPosition) {
   for (std::uint64_t seed = 1; seed < 40; ++seed)
     hunt_in_general_position(seed << 8, 50);
