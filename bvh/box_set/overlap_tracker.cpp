@@ -182,7 +182,8 @@ void OverlapTracker::sort_movers() {
 }
 
 /// Looks up both places of each mover at once, after all have moved. That tells what began and
-/// ended with boxes that did not move. What began between two movers the list does not know yet.
+/// ended with boxes that did not move. A pair of two movers has begun if the list does not have
+/// it.
 void OverlapTracker::look_up_all() {
   is_changed_.resize(std::max<std::size_t>(is_changed_.size(), set_.store().proxy_limit()));
   for (std::size_t first = 0; first < movers_.size(); first += kLanes)

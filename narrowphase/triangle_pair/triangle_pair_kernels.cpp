@@ -82,7 +82,8 @@ struct Sure {
   Mask apart, touching;
 };
 
-/// Answers as triage_intervals() does, for lanes whose signs are sure and not equal.
+/// Takes the two determinants of meet_in_space() (triangle_triangle.cpp), which order the ends of
+/// both intervals on the line that the planes share, for lanes whose signs are sure and not equal.
 HWY_INLINE Sure triage_intervals(const TriangleLanes& s, const SideMasks& sides_s,
                                  const TriangleLanes& t, const SideMasks& sides_t, Lanes bound) {
   const ApexLanes apex_s = apex(sides_s);

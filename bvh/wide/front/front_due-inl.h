@@ -1,6 +1,6 @@
-// This tells which pairs of a front are due in a pass, those whose budget is spent and that no
-// plane keeps out any more, and how much motion the planes of the others outlast. It is included
-// once for each SIMD target.
+// This tells which pairs of a front are due in a pass: those whose budget is spent and that no
+// plane keeps out any more. It also computes how much motion the planes of the others outlast. It
+// is included once for each SIMD target.
 
 #if defined(GRAZE_BVH_FRONT_DUE) == defined(HWY_TARGET_TOGGLE)
 #ifdef GRAZE_BVH_FRONT_DUE
@@ -112,7 +112,8 @@ class FrontOutlook {
     float motion_left;   ///< the motion that the gaps of the other lanes outlast
   };
 
-  /// Stores the planes that were found for these lanes, with their gaps in the pose at begin().
+  /// Stores the gaps of the planes that were found for these lanes, as of the pose at begin().
+  /// Their normals are stored already.
   template <std::size_t lanes>
   HWY_INLINE Nearness keep(Planes<lanes>& planes, const FoundPlanes<lanes>& found,
                            std::uint32_t asked, float limit) const {
@@ -260,8 +261,8 @@ class FrontDue {
       const std::uint32_t index = due[i];
       const float later =
           budget_after(outlook_[planes[index].ball.tested_side].motion_left(planes[index]));
-      // NaN compares false, so that it is due. A budget beyond `spent` implies a gap above `limit`.
-      const std::uint32_t kept = later > look_ahead_.spent;
+      // NaN compares false, so that it is due. A budget beyond that implies a gap above `limit`.
+      const std::uint32_t kept = later > look_ahead_.spent_budget;
       budgets[index] = chosen(kept, later, budgets[index]);
       due[due_count] = index;
       due_count += 1 - kept;
@@ -288,13 +289,13 @@ class FrontDue {
     std::size_t i = 0;
     for (; i + lanes <= size; i += lanes) {
       const auto is_spent =
-          hn::Le(hn::LoadU(tag, budgets.data() + i), hn::Set(tag, look_ahead_.spent));
+          hn::Le(hn::LoadU(tag, budgets.data() + i), hn::Set(tag, look_ahead_.spent_budget));
       count += hn::CompressStore(hn::Iota(indices, static_cast<std::uint32_t>(i)),
                                  hn::RebindMask(indices, is_spent), indices, list + count);
     }
     for (; i < size; ++i) {
       list[count] = static_cast<std::uint32_t>(i);
-      count += budgets[i] <= look_ahead_.spent;
+      count += budgets[i] <= look_ahead_.spent_budget;
     }
     return count;
   }

@@ -13,7 +13,8 @@ constexpr double kLeastDistance = 0x1p-50;
 /// The number of elements that vectors have room for at first.
 constexpr std::size_t kFirstSize = 64;
 
-/// Returns the largest budget that counts as spent within this limit.
+/// Returns the largest budget that counts as spent within this limit. A gap leaves no more motion
+/// than itself over the deviation, so that no pair within the limit has a later budget.
 float spent_at(const WideFront::Pass& pass, double limit) {
   return rounded_up(pass.spent + (limit + 2 * pass.slack) / static_cast<double>(pass.deviation));
 }
@@ -147,11 +148,11 @@ void WideFront::update(const Pass& pass, double limit, const Foresight& foresigh
 bool WideFront::renew_budget(std::size_t index, const Pass& pass, double limit) {
   const FrontHorizon horizon = horizon_at(pass, limit);
   float& budget = state_.near_pair_budgets[index];
-  if (!(budget <= horizon.spent)) return true;
+  if (!(budget <= horizon.spent_budget)) return true;
   const QueryBall& query = state_.distance.of_leaves[state_.near_pairs[index] / kLeafPairs].ball;
   const float gap = state_.near_pair_planes[index].gap_after(query, pass.since[query.tested_side]);
   const float later = rounded_down(pass.spent + static_cast<double>(gap));
-  if (!(gap > horizon.limit && later > horizon.spent)) return false;
+  if (!(gap > horizon.limit && later > horizon.spent_budget)) return false;
   budget = later;
   return true;
 }

@@ -21,14 +21,15 @@ namespace graze::bvh {
 /// 2001; Tang, Manocha, Lin and Tong, "Collision-streams: fast GPU-based collision detection for
 /// deformable models", 2011).
 ///
-/// It holds the pairs of a query box and the children of a tested node, the pairs of leaves, and
-/// the pairs of primitives that were compared. Each has planes that kept it out, and a budget: so
-/// much motion, measured from begin() on, cannot make these planes fail. Planes and budgets are the
+/// It holds the pairs of a query box and the children of a tested node, and the pairs of leaves.
+/// Each has planes that kept it out, and a budget: so much motion, measured from begin() on, cannot
+/// make these planes fail. A front of distances gives near pairs of primitives a plane and a budget
+/// of their own. Planes and budgets are the
 /// certificates and failure times of a kinetic data structure (Basch, Guibas and Hershberger, "Data
 /// structures for mobile data", 1999), with bounds of motion in place of known motions. A pass
 /// looks only at pairs whose budget is spent and that no plane keeps out any more, and opens what
 /// has come near. What was opened stays so until begin(), so that the front grows. Leaves in which
-/// primitives meet are busy: each pass decides all their pairs anew.
+/// primitives meet, or are parted by no plane, are busy: each pass decides all their pairs anew.
 ///
 /// All lengths are in the common units of both trees. Motions add up: no point of B's box has come
 /// further in A's frame than their sum.
@@ -224,7 +225,7 @@ class WideFront {
     std::vector<float> visit_budgets;
     std::vector<Leaves> leaves;
     std::vector<float> leaves_budgets;
-    std::vector<std::uint32_t> busy;  ///< indices of `leaves` in which primitives meet
+    std::vector<std::uint32_t> busy;  ///< indices of `leaves` in which primitives meet or may meet
     LeafPairs crossing;
     LeafPairs unsure;
     std::vector<std::uint32_t> near_pairs;  ///< near pairs, as the lanes of LeafPairs
@@ -254,11 +255,13 @@ class WideFront {
 
 // What the kernels are called with.
 
-/// Pairs that are further apart than `limit` and whose budget is more than `spent` are skipped. The
-/// budgets of the others are spent; those of them that no plane keeps out any more are due.
+/// Pairs that are further apart than `limit` and whose budget is more than `spent_budget` are
+/// skipped. The budgets of the others are spent; those of them that no plane keeps out any more are
+/// due.
 struct FrontHorizon {
-  float limit;  ///< common units
-  float spent;  ///< the motion spent, with slacks and the limit, as budgets are
+  float limit;         ///< common units
+  float spent_budget;  ///< the largest budget that counts as spent: the motion spent, with slacks
+                       ///< and the limit
 };
 
 /// Says what an update of a front looks at.

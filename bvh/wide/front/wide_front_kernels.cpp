@@ -34,7 +34,7 @@ class FrontUpdater : private FrontLeaves<kind> {
   FrontUpdater(WideFront::State& state, const WideFront::Pass& pass, const FrontTask& task)
       : Base(state, pass, task),
         useful_(task.useful),
-        most_size_(size() + task.most_added),
+        most_boxes_and_leaves_(boxes_and_leaves() + task.most_added),
         scale_b_(static_cast<float>(pass.into[0].scale)) {}
 
   void run() {
@@ -86,7 +86,7 @@ class FrontUpdater : private FrontLeaves<kind> {
 
   static constexpr bool kIsDistance = kind == FrontKind::Distance;
 
-  std::size_t size() const { return state_.visits.size() + state_.leaves.size(); }
+  std::size_t boxes_and_leaves() const { return state_.visits.size() + state_.leaves.size(); }
 
   /// Renews budgets, and ends the look-ahead where it is vain: so many pairs are near enough that
   /// most of them could not be opened, or primitives are so near that no gap is worth it.
@@ -99,7 +99,7 @@ class FrontUpdater : private FrontLeaves<kind> {
       return;
     }
     const std::size_t near = leaves + renew_budgets(planes_.of_visits, state_.visit_budgets);
-    if (2 * near > most_size_ - size()) look_ahead_ = required_;
+    if (2 * near > most_boxes_and_leaves_ - boxes_and_leaves()) look_ahead_ = required_;
   }
 
   HWY_INLINE void prefetch_visit(std::size_t index) const {
@@ -141,7 +141,7 @@ class FrontUpdater : private FrontLeaves<kind> {
     visit.opened |= near;
     state_.visit_budgets[index] = budget_after(kept.motion_left);
     const QueryBall query_ball = planes.ball;
-    if (size() > most_size_) look_ahead_ = required_;
+    if (boxes_and_leaves() > most_boxes_and_leaves_) look_ahead_ = required_;
     for (; near != 0; near &= near - 1) {
       const auto lane = static_cast<std::uint32_t>(std::countr_zero(near));
       const WideChildRef child = {&node, lane, below.treelet};
@@ -213,7 +213,7 @@ class FrontUpdater : private FrontLeaves<kind> {
   }
 
   float useful_;
-  std::size_t most_size_;  ///< the size up to which the front looks ahead
+  std::size_t most_boxes_and_leaves_;  ///< the size up to which the front looks ahead
   float scale_b_;
   Query query_{};
   WideChildRef query_child_{};  ///< the child whose box query_ is

@@ -38,7 +38,8 @@ HWY_BEFORE_NAMESPACE();
 namespace graze::bvh::HWY_NAMESPACE {
 namespace {
 
-/// What a determinant rounds by, of the product of the 1-norms of its vectors: 16 u for 6 u.
+/// What a determinant rounds by, of the product of the 1-norms of its vectors: 6 u at most, for
+/// which 16 u are taken.
 inline constexpr float kSignRounding = 0x1p-20f;
 
 /// Heights over the tested node's plane change by a S V + d S^2 / 2 at most: edges make a normal of

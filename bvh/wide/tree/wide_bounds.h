@@ -94,10 +94,10 @@ inline constexpr float kCornerError = 0x1p-19f;
 /// treelet.
 inline constexpr float kLeafInNodeError = 8;
 
-/// The errors of two primitives of two leaves in local coordinates (bvh/wide/front): each as two
-/// edges from its first corner, and the offset from the tested primitive's first corner to the
-/// other's, all in the tested node's frame. kStoredError is a share of the largest coordinate of
-/// what is stored, kLocalError one of the size of what is turned.
+/// The errors of two primitives of two leaves in coordinates of their own (local_leaves-inl.h,
+/// pair_batch-inl.h): each as two edges from its first corner, and the offset from the tested
+/// primitive's first corner to the other's, all in the tested node's frame. kStoredError is a share
+/// of the largest coordinate of what is stored, kLocalError one of the size of what is turned.
 ///
 /// A corner of the query box, off by u |p| as it is stored, is off by 1.74 u g once it is turned,
 /// where g is the largest coordinate of the query's treelet; a corner of the tested node by u h.

@@ -116,8 +116,8 @@ class Walker {
     }
   }
 
-  /// Tests the children of one node against a query box. Those that are near and smaller than that
-  /// box become query boxes in turn, against the children of the node that it bounds.
+  /// Tests the children of one node against a query box. Those that are near, and leaves or smaller
+  /// than that box, become query boxes in turn, against the children of the node that it bounds.
   HWY_INLINE void open_tested(int tested_side, const WideChildRef& tested,
                               std::uint32_t tested_link, const WideChildRef& query,
                               std::uint32_t query_link) {

@@ -34,9 +34,9 @@ struct WideWalkCounts {
 
 /// Finds the pairs of primitives of two trees that nothing proves apart: a box of one tree
 /// against the eight children of a node of the other. Hands out a few at a time and goes on where
-/// it stopped, so that no callback stands in the loop. Which pairs it finds may differ between SIMD
-/// targets in what does not meet anyway, and so may which of them are sure. The order of those that
-/// meet does not, but for Goal::AnyPair.
+/// it stopped, so that no callback stands in the loop. On another SIMD target it may find other
+/// pairs beside those that meet, and be sure of others. The order of those that meet is the same on
+/// all, but for Goal::AnyPair.
 class WidePairWalk {
  public:
   /// The most pairs of two leaves, times the leaves that one query box may be near.

@@ -6,10 +6,9 @@
 namespace graze {
 namespace {
 
-/// These shares of a front were measured. Where nearly all is due by its budget, there was a jump,
-/// and planes prove no more; to look at a third of a front of distances costs as much as a walk of
-/// its own.
-constexpr double kMostDue = 0.7;
+/// These shares of a front were measured. Where after a jump nearly all budgets are spent, planes
+/// prove no more; to look at a third of a front of distances costs as much as a walk of its own.
+constexpr double kMostSpent = 0.7;
 constexpr double kMostLookedAt = 0.35;
 constexpr std::size_t kMostNearPairs = 250;  // distances that are asked for in one pass
 constexpr int kLongestRest = 64;             // queries for which a front rests
@@ -74,8 +73,8 @@ double sum_of_edges(const bvh::FloatBox& box, double unit) {
 }  // namespace
 
 // The costs are fitted to what 644 poses and 361 motions of eight pairs of meshes took: half of
-// them are within a tenth. Half of the boxes that a pass looks at are counted, because what it
-// opens serves later ones.
+// them are within a tenth. The factor of box tests of a pass counts half of them, because
+// what it opens serves later ones.
 double FrontWorth::cost_of_walk(const Work& done) {
   return 106 + 4.8 * static_cast<double>(done.volume_tests) +
          7 * static_cast<double>(done.filter_tests) + 30 * static_cast<double>(done.triangle_tests);
@@ -198,7 +197,7 @@ std::optional<bvh::WideFront::Pass> MotionFront::start_pass(const bvh::WideTree&
     }
     update_prediction({b_in_a, a_in_b});
     const bvh::WideFront::Pass pass = front_.start_pass(kind_);
-    const bool is_worth_it = !is_jump_ || front_.share_spent(pass, limit) <= kMostDue;
+    const bool is_worth_it = !is_jump_ || front_.share_spent(pass, limit) <= kMostSpent;
     if (is_worth_it && !has_many_near_pairs(pass, limit)) {
       const bool is_kept = kind_ == bvh::WideFront::Kind::Distance || worth_.is_surely_worth_it();
       if (passes_ >= kEnoughPasses && is_kept) next_rest_ = 1;
@@ -257,7 +256,7 @@ void MotionFront::update(const bvh::WideFront::Pass& pass, double limit, Work& w
   const bvh::WideFront::Counts counts = front_.take_counts();
   if (passes_++ == 0) {
     first_size_ = front_.size();
-    if (front_.share_spent(pass, limit + step_) > kMostDue) give_up();
+    if (front_.share_spent(pass, limit + step_) > kMostSpent) give_up();
   } else if (kind_ == bvh::WideFront::Kind::Intersection) {
     learn(pass, FrontWorth::cost_of_pass(counts, front_.unsure_count()));
   } else if (static_cast<double>(front_.looked_at()) >

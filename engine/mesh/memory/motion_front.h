@@ -91,10 +91,10 @@ class MotionFront {
 
   /// Returns the pass of this query over the front, if the front is worth it or, begun anew in
   /// these poses, promises to be. Otherwise it returns nothing, and the query should walk the
-  /// trees: where most budgets of the front are spent, where queries with it have cost more than a
-  /// walk, or where distances made it look at a third of the front. Then the front rests for some
-  /// queries, and for more of them each time that this happens in turn. `limit` is as in
-  /// WideFront::update().
+  /// trees: where most budgets of the front are spent after a jump, where too many near pairs are
+  /// due, where queries with it have cost more than a walk, or where distances made it look at a
+  /// third of the front. Then the front rests for some queries, and for more of them each time that
+  /// this happens in turn. `limit` is as in WideFront::update().
   std::optional<bvh::WideFront::Pass> start_pass(const bvh::WideTree& tree_a,
                                                  const bvh::WideTree& tree_b,
                                                  const bvh::RelativeFrame& b_in_a,

@@ -121,8 +121,8 @@ struct Meeting {
   /// The pair that a query for pairs with a limit of 1 begins with, if any meet: which this is
   /// depends on no direction, hint, memory or kernel.
   std::optional<TrianglePair> met;
-  /// If none meet, the last pair that boxes did not tell apart, if there was one: good to begin a
-  /// search with.
+  /// If none meet, the last pair that boxes and planes did not part, if there was one: good to
+  /// begin a search with.
   std::optional<TrianglePair> near;
 };
 

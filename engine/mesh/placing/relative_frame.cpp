@@ -45,8 +45,8 @@ double largest_component(const double* v) {
 using bvh::dot;
 
 /// Sets all of the relative frame but its rotation.
-inline void place(bvh::RelativeFrame& relative, const PlacedFrame& side_a,
-                  const PlacedFrame& side_b) {
+inline void set_translation_and_slack(bvh::RelativeFrame& relative, const PlacedFrame& side_a,
+                                      const PlacedFrame& side_b) {
   // These are common units: those of the larger frame. Scaling by powers of two is exact; what
   // underflows is covered by the last term of the slack.
   const int exponent = std::max(side_a.frame.exponent, side_b.frame.exponent);
@@ -94,7 +94,7 @@ bvh::RelativeFrame relative_frame(const PlacedFrame& a, const PlacedFrame& b) {
     for (int j = 0; j < 3; ++j)
       relative.rotation[i][j] = dot(a.m + 4 * i, b.m + 4 * j);
   }
-  place(relative, a, b);
+  set_translation_and_slack(relative, a, b);
   return relative;
 }
 
@@ -105,7 +105,7 @@ bvh::RelativeFrame reversed(const bvh::RelativeFrame& b_in_a, const PlacedFrame&
     for (int j = 0; j < 3; ++j)
       relative.rotation[i][j] = b_in_a.rotation[j][i];
   }
-  place(relative, b, a);
+  set_translation_and_slack(relative, b, a);
   return relative;
 }
 

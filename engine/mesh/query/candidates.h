@@ -14,7 +14,7 @@
 namespace graze {
 
 /// Pairs of triangles on their way from the trees to the exact tests: those that surely cross wait
-/// for those that came before.
+/// for those that came before, so that all are handed up in their order.
 class Candidates {
  public:
   static constexpr std::size_t kCapacity = 64;

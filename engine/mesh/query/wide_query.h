@@ -140,7 +140,7 @@ struct WideQuery {
   bvh::Walk decide_first_in_order(bvh::WidePairWalk& walk, Candidates& candidates,
                                   OnPair&& on_pair) const {
     assert(walk.goal() == bvh::WidePairWalk::Goal::AllPairs);
-    // A round ends after one step of the walk that finds any where there is room for one.
+    // With room for one step a round ends after the first step that finds any.
     bvh::FoundPair found[bvh::WidePairWalk::kMostInStep];
     while (const std::size_t count = walk.next(found)) {
       if (decide_found({found, count}, candidates, on_pair) == bvh::Walk::Stop)
@@ -157,6 +157,7 @@ struct WideQuery {
     assert(walk.goal() == bvh::WidePairWalk::Goal::AnyPair);
     bvh::FoundPair found[bvh::WidePairWalk::kMostAtOnce];
     while (const std::size_t count = walk.next(found)) {
+      // If `on_pair` goes on all the same, decide_found() hands these up a second time.
       for (std::size_t i = 0; i < count; ++i) {
         if (found[i].do_cross && on_pair(pair_at(found[i].places)) == bvh::Walk::Stop)
           return bvh::Walk::Stop;

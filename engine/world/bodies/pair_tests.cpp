@@ -111,7 +111,7 @@ void World::State::prefetch(BoxPair pair) const {
   }
 }
 
-bool World::State::is_due(BoxPair pair) const {
+bool World::State::has_changed_body(BoxPair pair) const {
   return all.changes[pair.a].has_changed || all.changes[pair.b].has_changed;
 }
 
@@ -160,7 +160,7 @@ void World::State::list_due_part(std::size_t part) {
   std::uint32_t apart = 0;
   for (std::size_t i = part * kPartOfList; i < end; ++i) {
     const auto at = static_cast<std::uint32_t>(i);
-    if (!is_due(list[at])) continue;
+    if (!has_changed_body(list[at])) continue;
     if (is_apart_for_sure(at)) {
       ++apart;
     } else {
@@ -176,7 +176,7 @@ void World::State::test_pairs_at_rest() {
   const std::span<const BoxPair> list = candidates.list();
   order.clear();
   for (std::uint32_t at = 0; at < list.size(); ++at) {
-    if (!is_due(list[at]) && is_anyone_up(list[at])) order.push_back(at);
+    if (!has_changed_body(list[at]) && is_anyone_up(list[at])) order.push_back(at);
   }
   test_in_order(PairQuestion::AtRest, kAhead);
 }

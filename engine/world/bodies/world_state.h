@@ -325,7 +325,7 @@ struct World::State {
   void search_partners(std::span<const std::uint32_t> bodies, PartnerSearch& search);
   void prefetch(BoxPair pair) const;
   void prefetch_ahead(std::size_t i, std::size_t ahead) const;
-  bool is_due(BoxPair pair) const;
+  bool has_changed_body(BoxPair pair) const;
   bool is_anyone_up(BoxPair pair) const { return all.is_up(pair.a) || all.is_up(pair.b); }
   bool is_apart_for_sure(std::uint32_t at);
   void test_pairs_at_rest();
