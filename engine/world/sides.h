@@ -11,8 +11,8 @@ enum class Sides : std::uint8_t {
   Solid,  ///< the inside counts as well, and a body there leaves by the nearest way. The mesh must
           ///< be closed, each edge must have as many triangles one way as the other, and fronts
           ///< must be outside: check() lists parts that are inside out
-  OneSided  ///< the space behind the surface counts as well, up to a thickness, and a body there
-            ///< leaves in front. No edge may have two more triangles one way than the other
+  OneSided  ///< space behind the surface counts, too, up to a thickness, and is left in front or
+            ///< past a border. No edge may have two more triangles one way than the other
 };
 
 /// The sides of a mesh that count, with their thickness. Shapes that are no meshes can only have

@@ -225,7 +225,7 @@ they are apart by no more than the sum of both margins, metres. `sides` say what
 "surface", "solid" for what is inside a closed one, too, or ("one_sided", thickness in metres) for what is behind it.
 `user_data` is a whole number that the world keeps.
 
-Raises PoseError, with its index, and InputError.
+Raises PoseError, with its index, InputError, and MeshError for sides that the mesh cannot have, as find_contacts() does.
 )",
       py::arg("shape"), py::kw_only(), py::arg("kind") = "dynamic", py::arg("filter") = py::none(),
       py::arg("role") = "solid", py::arg("margin") = 0.0, py::arg("detection") = "discrete",

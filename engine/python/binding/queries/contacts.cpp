@@ -201,7 +201,8 @@ Where one is another shape than a mesh, or with a `margin`, metres, be it 0, Sha
 region at most four, with features that persist. With a margin contacts begin when the two are so near. `sides_a` and
 `sides_b` say what of a mesh counts beside its surface: "surface", "solid", or ("one_sided", thickness in metres).
 
-Raises what intersects() raises, InputError for a margin that is none, and UnsupportedPairError for two half-spaces.
+Raises what intersects() raises, InputError for a margin that is none, MeshError for sides that the mesh cannot have (a
+solid that is open or inside out), with the edge or triangle, and UnsupportedPairError for two half-spaces.
 
 >>> contacts = graze.find_contacts(bolt, (nut, pose))
 >>> bool((contacts.depth >= 0).all())
