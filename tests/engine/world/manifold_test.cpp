@@ -315,6 +315,26 @@ TEST(Manifold, AllocatesNothingOnceItHasRun) {
   }
 }
 
+TEST(Manifold, AllocatesNothingInsideASolid) {
+  const std::vector<Vector3d> tips{{1, 0, 0},  {0, 1, 0},   {-1, 0, 0},
+                                   {0, -1, 0}, {0, 0, 0.2}, {0, 0, -0.2}};
+  std::vector<TriangleIndices> sides;
+  for (std::uint32_t i = 0; i < 4; ++i) {
+    sides.push_back({i, (i + 1) % 4, 4});
+    sides.push_back({(i + 1) % 4, i, 5});
+  }
+  const Shape solid = Mesh(tips, sides), plate = tests::make_box({0.25, 0.25, 0.02});
+  const auto ask = [&](double x) {
+    const Manifold found =
+        find_contacts({plate, at({x, 0, 0.05})}, {solid}, {.sides_b = MeshSides::solid()});
+    EXPECT_NEAR(found[0].depth, 0.17, 1e-12);
+  };
+  ask(0.02);
+  const std::size_t before = mesh_io::allocated_bytes();
+  ask(0.01);
+  EXPECT_EQ(mesh_io::allocated_bytes(), before);
+}
+
 // A polytope about two of which one is lost in the rounding of the other closed without a normal.
 TEST(Manifold, OfASpeckOnAFlatGiantHasANormal) {
   const Vector3d corners[] = {{-1, 0, 0}, {0, -1, -1}, {-0.5, -0.5, -0.5}};

@@ -6,6 +6,7 @@
 #include <graze/engine/mesh/volume_query.h>
 #include <graze/engine/world/contacts/local_parting.h>
 #include <graze/engine/world/contacts/sides/body_side.h>
+#include <graze/engine/world/contacts/sides/corner_ways.h>
 #include <graze/engine/world/contacts/sides/enclosure.h>
 #include <graze/engine/world/contacts/triangle_candidates.h>
 #include <graze/engine/world/shape_pairs.h>
@@ -188,19 +189,30 @@ class Enclosure::Exits {
         sides_(sides),
         features_(mesh, to_vec3(origin)),
         partings_(core, features_),
-        allowance_(kNegligible * (core.bounding_radius + core.radius)) {}
+        allowance_(kNegligible * (core.bounding_radius + core.radius)),
+        corner_ways_(core, mesh, to_vec3(origin), features_, allowance_) {}
 
   /// Returns the exit through the triangle, if one leads out there: the shortest, or else the one
   /// through its face. At the end of a face, in a hollow, an edge may name the next face's shorter
   /// exit, which does not lead out.
-  std::optional<narrowphase::Exit> through(std::uint32_t index, const Core& triangle) const {
+  std::optional<LocalParting> through(std::uint32_t index, const Core& triangle) {
     if (FacingFeatures::is_sliver(triangle)) return std::nullopt;
-    const LocalParting parting = partings_.of(index, triangle);
-    if (leads_out(parting, triangle)) return parting.exit;
+    const Vec3 normal = LocalPartings::normal_of(triangle);
+    const Vec3 deepest = support(core_, -normal);
+    if (is_bare()) corner_ways_.see(index, deepest);
+    const LocalParting parting = partings_.of(index, triangle, normal, deepest);
+    if (leads_out(parting, triangle)) return parting;
     if (parting.feature == LeftFeature::Face) return std::nullopt;
     const LocalParting past_face = past_face_of(index, triangle);
-    if (leads_out(past_face, triangle)) return past_face.exit;
+    if (leads_out(past_face, triangle)) return past_face;
     return std::nullopt;
+  }
+
+  /// Returns the shortest exit past a corner of the triangles that were asked about, if it is below
+  /// the limit and the partings through these did not know of it.
+  std::optional<LocalParting> past_corner(double limit) {
+    if (!is_bare()) return std::nullopt;
+    return corner_ways_.shortest(limit);
   }
 
   /// Offers the triangle, which is no sliver, if the body leaves it by that exit.
@@ -208,7 +220,14 @@ class Enclosure::Exits {
              const narrowphase::Exit& sought) const {
     if (is_same(partings_.of(index, triangle).exit, sought)) return found.offer(index, triangle);
     const LocalParting past_face = past_face_of(index, triangle);
-    if (is_same(past_face.exit, sought)) found.offer(past_face, triangle);
+    if (is_same(past_face.exit, sought)) return found.offer(past_face, triangle);
+    for (const CornerWays::Way& way : corner_ways_.found()) {
+      if (!is_same(way.exit, sought)) continue;
+      for (int k = 0; k < 3; ++k) {
+        if (features_.vertex(index, k) == way.vertex)
+          return found.offer({index, way.exit, LeftFeature::Corner, k}, triangle);
+      }
+    }
   }
 
   /// Returns the exit through the face of a triangle that is no sliver.
@@ -219,6 +238,11 @@ class Enclosure::Exits {
   }
 
  private:
+  /// True if partings do not know the faces of the body, and so none that a corner leaves by.
+  bool is_bare() const {
+    return core_.kind == narrowphase::CoreKind::Points && core_.hull == nullptr;
+  }
+
   bool is_same(const narrowphase::Exit& exit, const narrowphase::Exit& sought) const {
     return is_one_direction(exit.direction, sought.direction) &&
            std::abs(exit.depth - sought.depth) <= allowance_;
@@ -286,6 +310,7 @@ class Enclosure::Exits {
   FacingFeatures features_;
   LocalPartings partings_;
   double allowance_;
+  CornerWays corner_ways_;
 };
 
 void Enclosure::add(ContactCandidates& candidates) const {
@@ -293,9 +318,9 @@ void Enclosure::add(ContactCandidates& candidates) const {
   candidates.origin = origin();
   const Core core = this->core(candidates.origin, scratch);
   MeshDescent descent(mesh_, core, candidates.origin, work_);
-  const Exits exits(core, mesh_, sides_.kind(), candidates.origin);
-  narrowphase::Exit best{{0, 0, 1}, std::numeric_limits<double>::infinity()};
-  std::uint32_t nearest = 0, leading = 0;
+  Exits exits(core, mesh_, sides_.kind(), candidates.origin);
+  LocalParting best{0, {{0, 0, 1}, std::numeric_limits<double>::infinity()}};
+  std::uint32_t nearest = 0;
   double nearest_distance = std::numeric_limits<double>::infinity();
   double counted = nearest_distance;  // the length that counts for the best exit
   const auto limit = [&] {
@@ -307,42 +332,41 @@ void Enclosure::add(ContactCandidates& candidates) const {
     ++work_.convex_tests;
     const bool is_tie = distance == nearest_distance && index < nearest;
     if (distance < nearest_distance || is_tie) nearest_distance = distance, nearest = index;
-    const std::optional<narrowphase::Exit> exit = exits.through(index, triangle);
-    if (!exit) return bvh::Walk::Continue;
+    const std::optional<LocalParting> parting = exits.through(index, triangle);
+    if (!parting) return bvh::Walk::Continue;
     // An exit that leads past a border may be shorter than the gap to its triangle. It then counts
     // as long as the gap, or the tree would decide which exit ends the walk first.
-    narrowphase::Exit bounded = *exit;
-    if (bounded.depth < distance)
-      bounded.depth = std::max(bounded.depth, gap_of_sets(core, triangle).distance);
-    const bool is_as_short = bounded.depth == counted && index < leading;
-    if (bounded.depth < counted || is_as_short)
-      best = *exit, counted = bounded.depth, leading = index;
+    double bounded = parting->exit.depth;
+    if (bounded < distance) bounded = std::max(bounded, gap_of_sets(core, triangle).distance);
+    const bool is_as_short = bounded == counted && index < best.triangle;
+    if (bounded < counted || is_as_short) best = *parting, counted = bounded;
     return bvh::Walk::Continue;
   });
+  // Where none leads out the body leaves its nearest triangle.
+  const Core of_nearest = descent.triangle(nearest);
+  const bool is_thin = FacingFeatures::is_sliver(of_nearest);
+  if (!std::isfinite(counted) && !is_thin) best = exits.past_face_of(nearest, of_nearest);
+  if (const auto past_corner = exits.past_corner(std::min(counted, best.exit.depth)))
+    best = *past_corner, counted = past_corner->exit.depth;
   TriangleCandidates found(core, mesh_, candidates, work_);
-  const double last = counted;
-  if (std::isfinite(last)) {
-    descent.for_each_within([&] { return last; },
+  if (std::isfinite(counted)) {
+    descent.for_each_within([&] { return counted; },
                             [&](std::uint32_t index) {
                               const Core triangle = descent.triangle(index);
                               if (FacingFeatures::is_sliver(triangle)) return bvh::Walk::Continue;
-                              exits.offer(found, index, triangle, best);
+                              exits.offer(found, index, triangle, best.exit);
                               return bvh::Walk::Continue;
                             });
     // An exit that leads past a border may be shorter than the gap to its triangle.
-    if (!found.has_touched()) found.offer(leading, descent.triangle(leading));
+    if (!found.has_touched()) found.offer(best, descent.triangle(best.triangle));
+  } else if (is_thin) {
+    found.offer(nearest, of_nearest);
   } else {
-    const Core triangle = descent.triangle(nearest);
-    if (FacingFeatures::is_sliver(triangle)) {
-      found.offer(nearest, triangle);
-    } else {
-      const LocalParting past_face = exits.past_face_of(nearest, triangle);
-      found.offer(past_face, triangle);
-      best = past_face.exit, leading = nearest;
-    }
+    found.offer(best, of_nearest);
   }
   found.finish();
-  if (std::isfinite(best.depth)) leave_by(best, core, descent.triangle(leading), candidates);
+  if (std::isfinite(best.exit.depth))
+    leave_by(best.exit, core, descent.triangle(best.triangle), candidates);
 }
 
 /// A body that leaves without touching anything on its way, as from behind a border, is as deep as
