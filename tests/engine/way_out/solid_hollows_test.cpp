@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -120,6 +121,40 @@ TEST(SolidHollows, AllTrianglesOfTheWallThatIsLeftHaveContacts) {
     ASSERT_NEAR(least, least_of_corners, 1e-9) << n;
   }
   EXPECT_GT(asked, 50);
+}
+
+/// Two boxes by their least and greatest coordinates.
+Mesh two_boxes(const std::array<std::array<Vector3d, 2>, 2>& boxes) {
+  std::vector<Vector3d> vertices;
+  std::vector<TriangleIndices> triangles;
+  for (const auto& [least, most] : boxes) {
+    const Mesh box = tests::make_box((most - least) / 2);
+    const auto first = static_cast<std::uint32_t>(vertices.size());
+    for (const Vector3d& v : box.vertices())
+      vertices.push_back(v + (least + most) / 2);
+    for (const TriangleIndices& t : box.triangles())
+      triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+  }
+  return {vertices, triangles};
+}
+
+// A plate stands in a large box below a small one, which hovers. Past the upright edge of the small
+// box, and past the corner above it, the plate moves by 0.3 m at most, but it is below both.
+TEST(SolidHollows, WhatIsBesideAnEdgeAndACornerDoesNotLeaveByThem) {
+  const Vector3d out = Vector3d(1, 1, 0.14).normalized(), along = Vector3d(1, -1, 0).normalized();
+  Pose pose = tests::at(0.05, -0.2, -1.25);
+  pose.linear() << along, out.cross(along), out;
+  const Vector3d half(0.6, 0.9, 0.05);
+  const double width = pose.linear().row(0).cwiseAbs().dot(half);
+  ASSERT_LT(pose.linear().row(2).cwiseAbs().dot(half), 0.95);  // it is inside the large one
+  const Shape small_above = two_boxes({{{Vector3d(-0.6, -8, -8), Vector3d(8, 8, -0.25)},
+                                        {Vector3d(-0.4, -0.4, -0.2), Vector3d(0, 0, 0.2)}}});
+  for (const Shape& body : {Shape(Box{half}), Shape(tests::make_box(half))}) {
+    const Manifold found = find_contacts({body, pose}, {small_above}, {.sides_b = kSolid});
+    ASSERT_EQ(found.region_count(), 1u);
+    EXPECT_NEAR(found[0].depth, 0.65 + width, 1e-12);
+    EXPECT_TRUE((-found[0].normal).isApprox(-Vector3d::UnitX(), 1e-12));
+  }
 }
 
 }  // namespace
