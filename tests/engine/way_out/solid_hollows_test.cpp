@@ -157,5 +157,41 @@ TEST(SolidHollows, WhatIsBesideAnEdgeAndACornerDoesNotLeaveByThem) {
   }
 }
 
+/// A ball whose vertices are at distances of 0.6 to all of its radius.
+Mesh star(RandomSource& source) {
+  const Mesh ball = tests::make_sphere(1.6, 6, 10);
+  std::vector<Vector3d> vertices;
+  for (const Vector3d& v : ball.vertices())
+    vertices.push_back(v * source.uniform(0.6, 1));
+  return {vertices, ball.triangles()};
+}
+
+// No way leads out of some hollows. There the nearest triangles decide, which share an edge.
+TEST(SolidHollows, TheOrderOfTheTrianglesDoesNotDecide) {
+  RandomSource source(1640);
+  int inside = 0;
+  for (int n = 0; n < 150; ++n) {
+    const Mesh solid = star(source);
+    std::vector<TriangleIndices> reversed(solid.triangles().begin(), solid.triangles().end());
+    std::reverse(reversed.begin(), reversed.end());
+    const Shape one = solid, other = Mesh(solid.vertices(), reversed);
+    for (int k = 0; k < 40; ++k) {
+      const Vector3d middle = source.vector(-1.5, 1.5);
+      const double size = std::exp2(source.uniform(-4, -1));
+      std::vector<Vector3d> corners;
+      for (int i = 0; i < 3; ++i)
+        corners.push_back(((middle + size * source.vector(-1, 1)) * 16).array().round() / 16);
+      const Shape body = Mesh(corners, std::vector<TriangleIndices>{{0, 1, 2}});
+      if (intersects({body}, {one})) continue;
+      const Manifold by_one = find_contacts({body}, {one}, {.sides_b = kSolid});
+      if (by_one.empty()) continue;
+      ++inside;
+      const Manifold by_other = find_contacts({body}, {other}, {.sides_b = kSolid});
+      ASSERT_NEAR(by_one[0].depth, by_other[0].depth, 1e-9) << n << " " << k;
+    }
+  }
+  EXPECT_GT(inside, 1000);
+}
+
 }  // namespace
 }  // namespace graze

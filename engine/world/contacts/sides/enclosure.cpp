@@ -1,8 +1,4 @@
-#include <graze/bvh/error.h>
-#include <graze/bvh/value/number_text.h>
 #include <graze/engine/mesh/containment.h>
-#include <graze/engine/mesh/data/orientation.h>
-#include <graze/engine/mesh/health/inside_out.h>
 #include <graze/engine/mesh/volume_query.h>
 #include <graze/engine/world/contacts/local_parting.h>
 #include <graze/engine/world/contacts/sides/body_side.h>
@@ -20,7 +16,6 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <string>
 
 namespace graze {
 
@@ -41,49 +36,7 @@ constexpr double kNegligible = 1e-9;
 // are right to rounding. The rest is for searches that end by kMostSupports.
 constexpr double kMeeting = 1e-3;
 
-void refuse(const Mesh& mesh, const TriangleEdge& edge, const std::string& why) {
-  const TriangleIndices& triangle = mesh.triangles()[edge.triangle];
-  const auto corner = [&](int k) {
-    return std::to_string(triangle[static_cast<std::size_t>(k % 3)]);
-  };
-  throw MeshError(why + ": the edge from vertex " + corner(edge.k) + " to vertex " +
-                      corner(edge.k + 1) + " of triangle " + std::to_string(edge.triangle),
-                  {.element = "triangle", .index = edge.triangle});
-}
-
 }  // namespace
-
-void check_sides(const Shape* shape, const MeshSides& sides, const char* what) {
-  const std::string begin = std::string(what) + ": ";
-  if (sides.kind() == Sides::OneSided &&
-      !(std::isfinite(sides.thickness()) && sides.thickness() > 0)) {
-    throw InputError(begin + "the thickness is " + bvh::number_text(sides.thickness()) +
-                     ", but must be finite and above 0");
-  }
-  if (sides.kind() == Sides::Surface) return;
-  if (shape != nullptr && shape->kind() == ShapeKind::HeightField) {
-    // All triangles of a height field have their fronts on one side.
-    if (sides.kind() == Sides::OneSided) return;
-    throw MeshError(begin + "a height field has a border, and a solid has none");
-  }
-  const Mesh* mesh = shape == nullptr ? nullptr : shape->as<Mesh>();
-  if (mesh == nullptr) throw InputError(begin + "only meshes and height fields have sides");
-  const Orientation& orientation = orientation_of(*mesh);
-  if (sides.kind() == Sides::Solid) {
-    if (orientation.unpaired)
-      refuse(*mesh, *orientation.unpaired,
-             begin + "a solid needs as many triangles one way as the other at each edge");
-    // Bodies leave through fronts.
-    if (const std::optional<std::uint32_t> triangle = first_inside_out(*mesh)) {
-      throw MeshError(begin + "a solid needs triangles whose fronts are outside: the part of the " +
-                          "surface with triangle " + std::to_string(*triangle) + " is inside out",
-                      {.element = "triangle", .index = *triangle});
-    }
-  } else if (orientation.turned) {
-    refuse(*mesh, *orientation.turned,
-           begin + "one side needs triangles that go on from each other at each edge");
-  }
-}
 
 bool Enclosure::holds() const {
   if (body_.shape.kind() == ShapeKind::HalfSpace) return false;  // no finite exit leads out
@@ -237,7 +190,34 @@ class Enclosure::Exits {
     return {index, {normal, dot(normal, triangle.corner[0] - last)}};
   }
 
+  /// Returns the exit through the face of a triangle, no sliver, that is no farther than the
+  /// nearest: for where none leads out. Where triangles share the nearest point, the shortest; the
+  /// order of the triangles decides only between those that are as long.
+  std::optional<LocalParting> past_nearest(MeshDescent& descent, double distance) const {
+    const double within = distance + allowance_;
+    std::optional<LocalParting> best;
+    descent.for_each_within([&] { return within; },
+                            [&](std::uint32_t index) {
+                              const Core triangle = descent.triangle(index);
+                              if (FacingFeatures::is_sliver(triangle) ||
+                                  gap_of_sets(core_, triangle, within).distance > within)
+                                return bvh::Walk::Continue;
+                              const LocalParting past_face = past_face_of(index, triangle);
+                              if (!best || is_before(past_face, *best)) best = past_face;
+                              return bvh::Walk::Continue;
+                            });
+    return best;
+  }
+
  private:
+  /// Orders exits: those that lead the body forward first, the shortest of them first.
+  static bool is_before(const LocalParting& s, const LocalParting& t) {
+    const bool is_forward = s.exit.depth > 0;
+    if (is_forward != (t.exit.depth > 0)) return is_forward;
+    if (s.exit.depth != t.exit.depth) return std::abs(s.exit.depth) < std::abs(t.exit.depth);
+    return s.triangle < t.triangle;
+  }
+
   /// True if partings do not know the faces of the body, and so none that a corner leaves by.
   bool is_bare() const {
     return core_.kind == narrowphase::CoreKind::Points && core_.hull == nullptr;
@@ -342,10 +322,7 @@ void Enclosure::add(ContactCandidates& candidates) const {
     if (bounded < counted || is_as_short) best = *parting, counted = bounded;
     return bvh::Walk::Continue;
   });
-  // Where none leads out the body leaves its nearest triangle.
-  const Core of_nearest = descent.triangle(nearest);
-  const bool is_thin = FacingFeatures::is_sliver(of_nearest);
-  if (!std::isfinite(counted) && !is_thin) best = exits.past_face_of(nearest, of_nearest);
+  if (!std::isfinite(counted)) best = exits.past_nearest(descent, nearest_distance).value_or(best);
   if (const auto past_corner = exits.past_corner(std::min(counted, best.exit.depth)))
     best = *past_corner, counted = past_corner->exit.depth;
   TriangleCandidates found(core, mesh_, candidates, work_);
@@ -359,10 +336,10 @@ void Enclosure::add(ContactCandidates& candidates) const {
                             });
     // An exit that leads past a border may be shorter than the gap to its triangle.
     if (!found.has_touched()) found.offer(best, descent.triangle(best.triangle));
-  } else if (is_thin) {
-    found.offer(nearest, of_nearest);
+  } else if (std::isfinite(best.exit.depth)) {
+    found.offer(best, descent.triangle(best.triangle));
   } else {
-    found.offer(best, of_nearest);
+    found.offer(nearest, descent.triangle(nearest));  // only slivers are as near
   }
   found.finish();
   if (std::isfinite(best.exit.depth))
