@@ -245,6 +245,41 @@ TEST(BodySide, WhatIsUnderABorderLeavesAheadOrInFront) {
   }
 }
 
+/// Two cubes, of unlike sizes, beside each other.
+Mesh two_cubes(double size) {
+  std::vector<Vector3d> vertices;
+  std::vector<TriangleIndices> triangles;
+  for (const double half : {0.4 * size, -0.6 * size}) {
+    const Mesh cube = tests::make_box(Vector3d::Constant(std::abs(half)));
+    const auto first = static_cast<std::uint32_t>(vertices.size());
+    for (const Vector3d& v : cube.vertices())
+      vertices.push_back(v + Vector3d(std::copysign(size, half), 0, 0));
+    for (const TriangleIndices& t : cube.triangles())
+      triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+  }
+  return {vertices, triangles};
+}
+
+// Where the body touches the border on its way ahead, it does so less deep than its way is long.
+TEST(BodySide, WhatIsLedAheadIsBeyondTheBorder) {
+  const MeshSides sides = MeshSides::one_sided(1);
+  RandomSource source(1567);
+  int ahead = 0;
+  for (int n = 0; n < 2000; ++n) {
+    const Shape plate = plate_of(1 + static_cast<std::uint32_t>(n) % 3);
+    const Shape body = two_cubes(source.uniform(0.1, 0.3));
+    Pose pose = tests::random_pose(0, source);
+    const double x = source.uniform(1.6, 2.4), y = source.uniform(-1, 1);
+    pose.translation() = Vector3d(x, y, source.uniform(-0.8, 0));
+    if (intersects({body, pose}, {plate})) continue;
+    const Manifold found = find_contacts({body, pose}, {plate}, {.sides_b = sides});
+    if (found.empty() || found[0].normal.x() > -1 + 1e-9) continue;
+    ++ahead;
+    ASSERT_NEAR(found[0].depth, 2 + tests::reach_of(body, pose, -Vector3d::UnitX()), 1e-6) << n;
+  }
+  EXPECT_GT(ahead, 300);
+}
+
 // A large triangle's edge has no neighbour where two small ones lie along it, and ends no surface.
 TEST(BodySide, WhatIsBeyondASeamIsBehindWhatGoesOnThere) {
   // Flat on one side of the seam, and rising on the other.

@@ -36,6 +36,9 @@ constexpr double kNegligible = 1e-9;
 // are right to rounding. The rest is for searches that end by kMostSupports.
 constexpr double kMeeting = 1e-3;
 
+// Contacts are as deep as the way out is long, to the twentieth that law 15 allows.
+constexpr double kDeepShare = 0.95;
+
 }  // namespace
 
 bool Enclosure::holds() const {
@@ -351,8 +354,10 @@ void Enclosure::add(ContactCandidates& candidates) const {
 void Enclosure::leave_by(const narrowphase::Exit& exit, const Core& core, const Core& triangle,
                          ContactCandidates& candidates) {
   std::vector<narrowphase::ContactPoint>& list = candidates.list;
-  const bool is_deep =
-      std::any_of(list.begin(), list.end(), [](const auto& contact) { return contact.depth > 0; });
+  const double least = kDeepShare * exit.depth;
+  const bool is_deep = std::any_of(list.begin(), list.end(), [&](const auto& contact) {
+    return contact.depth > 0 && contact.depth >= least;
+  });
   if (is_deep || list.empty() || !(exit.depth > 0)) return;
   list.resize(1), candidates.ends.assign(1, 1);
   narrowphase::ContactPoint& contact = list.front();
