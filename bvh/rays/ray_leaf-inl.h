@@ -93,15 +93,48 @@ HWY_INLINE RayLanes corner_lanes(hn::Vec<hn::Rebind<std::uint32_t, RayTag>> pack
   return hn::ConvertTo(RayTag(), hn::BitCast(signed_bits, hn::And(packed, hn::Set(bits, mask))));
 }
 
+using PointLanes = hn::Vec<hn::Rebind<std::uint32_t, RayTag>>;
+
+/// The corners of a leaf, a row for each.
+struct CornerRows {
+  const std::uint32_t* rows;
+  std::uint32_t count;
+
+  HWY_INLINE PointLanes row(std::uint32_t c, std::size_t lane) const {
+    return hn::LoadU(hn::Rebind<std::uint32_t, RayTag>(), rows + c * count + lane);
+  }
+};
+
+/// The corners of a leaf whose primitives share points, where there is a lane for each primitive.
+struct SharedCorners {
+  const SharedPoints& leaf;
+  PointLanes first;  ///< the first eight points
+  PointLanes others;
+
+  HWY_INLINE SharedCorners(const SharedPoints& of, const std::uint32_t* points)
+      : leaf(of),
+        first(hn::LoadU(hn::Rebind<std::uint32_t, RayTag>(), points)),
+        others(hn::LoadU(hn::Rebind<std::uint32_t, RayTag>(), points + RayTree::kLeafSize)) {}
+
+  HWY_INLINE PointLanes row(std::uint32_t c, std::size_t) const {
+    const hn::Rebind<std::uint32_t, RayTag> bits;
+    const auto shifts = hn::Mul(hn::Iota(bits, 0), hn::Set(bits, SharedPoints::kBits));
+    const auto which = hn::Shr(hn::Set(bits, leaf.corners(c)), shifts);
+    const auto of_eight = hn::IndicesFromVec(bits, hn::And(which, hn::Set(bits, 7)));
+    const auto is_first = hn::Eq(hn::And(which, hn::Set(bits, 8)), hn::Zero(bits));
+    return hn::IfThenElse(is_first, hn::TableLookupLanes(first, of_eight),
+                          hn::TableLookupLanes(others, of_eight));
+  }
+};
+
 /// Answers for as many primitives as there are lanes, from `lane` on.
-HWY_INLINE LeafAnswer ask_lanes(const std::uint32_t* corners, std::uint32_t count, std::size_t lane,
-                                const SeenLeaf& leaf, const RayWalkState& ray, float* least,
-                                float* most) {
+template <typename Corners>
+HWY_INLINE LeafAnswer ask_lanes(const Corners& corners, std::size_t lane, const SeenLeaf& leaf,
+                                const RayWalkState& ray, float* least, float* most) {
   const RayTag tag;
-  const hn::Rebind<std::uint32_t, RayTag> bits;
   RayLanes x[3], y[3], z[3], size, low, high;
   for (std::uint32_t c = 0; c < 3; ++c) {
-    const auto packed = hn::LoadU(bits, corners + c * count + lane);
+    const auto packed = corners.row(c, lane);
     z[c] = corner_lanes(packed, ray.axes->mask[2]);
     x[c] =
         hn::MulAdd(corner_lanes(packed, ray.axes->mask[0]), hn::Set(tag, leaf.step[0]),
@@ -151,20 +184,45 @@ HWY_INLINE LeafAnswer ask_lanes(const std::uint32_t* corners, std::uint32_t coun
   return {near << lane, ray_bits(is_sure) << lane};
 }
 
+HWY_INLINE LeafAnswer ask_rows(const CornerRows& corners, std::uint32_t count, const SeenLeaf& leaf,
+                               const RayWalkState& ray, float* least, float* most) {
+  LeafAnswer answer{0, 0};
+  for (std::size_t lane = 0; lane < count; lane += hn::Lanes(RayTag())) {
+    const LeafAnswer some = ask_lanes(corners, lane, leaf, ray, least, most);
+    answer = {answer.near | some.near, answer.sure | some.sure};
+  }
+  return answer;
+}
+
+HWY_INLINE LeafAnswer among(LeafAnswer answer, std::uint32_t count) {
+  const std::uint32_t lanes = (1u << count) - 1;
+  return {answer.near & lanes, answer.sure & lanes & answer.near};
+}
+
 HWY_INLINE LeafAnswer ask_leaf(const std::uint32_t* corners, std::uint32_t count,
                                const SeenLeaf& leaf, const RayWalkState& ray, float* least,
                                float* most) {
-  LeafAnswer answer{0, 0};
+  const CornerRows rows{corners, count};
   if constexpr (hn::MaxLanes(RayTag()) == RayTree::kLeafSize) {
-    answer = ask_lanes(corners, count, 0, leaf, ray, least, most);
+    return among(ask_lanes(rows, 0, leaf, ray, least, most), count);
   } else {
-    for (std::size_t lane = 0; lane < count; lane += hn::Lanes(RayTag())) {
-      const LeafAnswer some = ask_lanes(corners, count, lane, leaf, ray, least, most);
-      answer = {answer.near | some.near, answer.sure | some.sure};
-    }
+    return among(ask_rows(rows, count, leaf, ray, least, most), count);
   }
-  const std::uint32_t lanes = (1u << count) - 1;
-  return {answer.near & lanes, answer.sure & lanes & answer.near};
+}
+
+HWY_INLINE LeafAnswer ask_leaf(const SharedPoints& shared, const std::uint32_t* points,
+                               std::uint32_t count, const SeenLeaf& leaf, const RayWalkState& ray,
+                               float* least, float* most) {
+  if constexpr (hn::MaxLanes(RayTag()) == RayTree::kLeafSize) {
+    return among(ask_lanes(SharedCorners(shared, points), 0, leaf, ray, least, most), count);
+  } else {
+    std::uint32_t rows[3 * RayTree::kLeafSize];
+    for (std::uint32_t c = 0; c < 3; ++c) {
+      for (std::uint32_t i = 0; i < RayTree::kLeafSize; ++i)
+        rows[c * RayTree::kLeafSize + i] = points[shared.corner(i, c)];
+    }
+    return among(ask_rows({rows, RayTree::kLeafSize}, count, leaf, ray, least, most), count);
+  }
 }
 
 }  // namespace

@@ -1,11 +1,11 @@
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/bvh/rays/large_pages.h>
 #include <graze/bvh/rays/ray_groups.h>
+#include <graze/bvh/rays/ray_leaves.h>
 #include <graze/bvh/rays/ray_tree.h>
 #include <graze/bvh/value/parallel.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <memory>
 #include <new>
@@ -72,46 +72,43 @@ Laid lay_out(const Tree& tree, const RayGroups& groups) {
   return laid;
 }
 
-/// Puts the corners of the leaf in lane `lane` on its grid.
-void fill_leaf(const RayNode& node, std::uint32_t lane, const Tree& tree,
-               const LocalCorners& corners, std::uint32_t* to) {
-  double low[3], per_unit[3];
-  for (std::size_t k = 0; k < 3; ++k) {
-    low[k] = node.box[2 * k][lane];
-    const double extent = node.box[2 * k + 1][lane] - low[k];
-    per_unit[k] = extent > 0 ? RayTree::kSteps / extent : 0;
-  }
-  const RayChild leaf = node.child[lane];
-  const std::uint32_t count = leaf.count();
-  to += std::size_t{3} * leaf.place();
-  for (std::uint32_t i = 0; i < count; ++i) {
-    double corner[3][3];
-    corners.of(tree.primitives[leaf.place() + i], corner);
-    for (std::uint32_t c = 0; c < 3; ++c) {
-      std::uint32_t packed = 0;
-      for (int k = 2; k >= 0; --k) {
-        const double at = std::nearbyint((corner[c][k] - low[k]) * per_unit[k]);
-        const double kept = std::clamp(at, 0.0, static_cast<double>(RayTree::kSteps));
-        packed = packed << RayTree::kBits | static_cast<std::uint32_t>(kept);
-      }
-      to[c * count + i] = packed;
-    }
-  }
-}
-
-void fill_leaves(const RayNode& node, const Tree& tree, const LocalCorners& corners,
-                 std::uint32_t* to) {
-  for (std::uint32_t lane = 0; lane < RayNode::kWidth; ++lane) {
-    if (node.child[lane].is_leaf()) fill_leaf(node, lane, tree, corners, to);
-  }
-}
-
 template <typename Item>
 std::unique_ptr<Item[], RayTree::LargePages> in_large_pages(std::size_t count) {
   const std::size_t bytes = count * sizeof(Item);
   void* memory = ::operator new(bytes, kLargePage);
   ask_for_large_pages(memory, bytes);
   return std::unique_ptr<Item[], RayTree::LargePages>(static_cast<Item*>(memory));
+}
+
+/// Makes the leaves of a tree whose nodes are made.
+void make_leaves(const LeafSource& source, RayTree& rays) {
+  const std::size_t count = source.tree.primitives.size();
+  const std::size_t taken = rays.node_count * sizeof(RayNode) / sizeof(std::uint32_t);
+  const std::size_t most = RayTree::kMostWords * count;
+  const std::size_t needed = taken + RayTree::kRoom;
+  const auto shared = shared_leaves(source, most > needed ? most - needed : 0);
+  rays.leaves = shared ? RayLeaves::SharedPoints : RayLeaves::Corners;
+  const std::size_t words = shared ? shared->back() : 3 * count;
+  rays.corner_count = words + RayTree::kRoom;
+  rays.corners = in_large_pages<std::uint32_t>(rays.corner_count);
+  std::fill_n(rays.corners.get() + words, RayTree::kRoom, 0u);
+  if (shared) {
+    auto place = shared->begin();
+    for (std::size_t i = 0; i < rays.node_count; ++i) {
+      for (RayChild& child : rays.nodes[i].child) {
+        if (child.is_leaf()) child = RayChild::leaf(*place++, child.count());
+      }
+    }
+  }
+  for_in_parallel(std::size_t{0}, source.nodes.size(), [&](std::size_t i) {
+    in_standard_arithmetic([&] {
+      if (shared) {
+        fill_shared_points(source, i, rays.nodes[i], rays.corners.get());
+      } else {
+        fill_corners(source, i, rays.corners.get());
+      }
+    });
+  });
 }
 
 }  // namespace
@@ -128,7 +125,7 @@ RayTree ray_tree_over(const Tree& tree, const LocalCorners& corners) {
     rays.high[k] = tree.root().box.max[k];
   }
   const std::size_t count = tree.primitives.size();
-  if (count > std::size_t{1} << RayChild::kPlaceBits) return rays;
+  if (count > RayChild::kMostPlaces) return rays;
   const Laid laid = lay_out(tree, RayGroups(tree, RayTree::kLeafSize));
   if (laid.nodes.size() > RayTree::kMostNodes) return rays;
   rays.primitives = tree.primitives.data();
@@ -137,12 +134,7 @@ RayTree ray_tree_over(const Tree& tree, const LocalCorners& corners) {
   rays.node_count = laid.nodes.size();
   rays.nodes = in_large_pages<RayNode>(rays.node_count);
   std::uninitialized_copy(laid.nodes.begin(), laid.nodes.end(), rays.nodes.get());
-  rays.corner_count = 3 * count + RayTree::kLeafSize;
-  rays.corners = in_large_pages<std::uint32_t>(rays.corner_count);
-  std::fill_n(rays.corners.get() + 3 * count, RayTree::kLeafSize, 0u);
-  for_in_parallel(std::size_t{0}, laid.nodes.size(), [&](std::size_t i) {
-    in_standard_arithmetic([&] { fill_leaves(laid.nodes[i], tree, corners, rays.corners.get()); });
-  });
+  make_leaves({tree, laid.nodes, corners}, rays);
   return rays;
 }
 

@@ -42,39 +42,112 @@ HWY_INLINE std::uint32_t lane_of(Open open) {
   return static_cast<std::uint32_t>(open) & 7;
 }
 
-/// Fetches what is read when the children's turn comes.
-HWY_INLINE void prefetch(const RayTree& tree, const RayNode& node, std::uint32_t lanes) {
-  while (lanes != 0) {
-    const RayChild child = node.child[take_lane(lanes)];
-    if (child.is_leaf()) {
-      hwy::Prefetch(tree.corners.get() + std::size_t{3} * child.place());
-      hwy::Prefetch(tree.primitives + child.place());
-    } else {
-      const auto* bytes = reinterpret_cast<const std::byte*>(&tree.node(child.where()));
-      for (std::size_t i = 0; i < sizeof(RayNode); i += 64)
-        hwy::Prefetch(bytes + i);
-    }
-  }
+/// Fetches what is read when a child's turn comes. There is no branch, as leaves and nodes come in
+/// no order that could be foretold.
+HWY_INLINE void prefetch(const RayTree& tree, RayChild child) {
+  constexpr std::size_t kLine = 64;
+  const auto* const node = reinterpret_cast<const std::byte*>(&tree.node(child.where()));
+  const auto* const leaf = reinterpret_cast<const std::byte*>(tree.leaf(child));
+  const auto* const first = child.is_leaf() ? leaf : node;
+  // Leaves that share points take three lines, and their places are not known yet.
+  const auto* const last = child.is_leaf() && tree.leaves == RayLeaves::Corners
+                               ? reinterpret_cast<const std::byte*>(tree.primitives + child.place())
+                               : first + 3 * kLine;
+  hwy::Prefetch(first);
+  hwy::Prefetch(first + kLine);
+  hwy::Prefetch(first + 2 * kLine);
+  hwy::Prefetch(last);
 }
 
 /// Puts all of the children but the nearest on the stack, the nearest of them last, and returns
-/// that one.
-HWY_INLINE Open open_children(std::uint32_t where, std::uint32_t lanes, const float* enters,
-                              Open*& end) {
-  const std::uint32_t one = take_lane(lanes);
-  Open nearest = opened(where, one, enters[one]);
-  Open* const first = end;
+/// that one. There are at least two.
+HWY_INLINE Open open_children(const RayTree& tree, const RayNode& node, std::uint32_t where,
+                              std::uint32_t lanes, const float* enters, Open*& end) {
+  const std::uint32_t a = take_lane(lanes), b = take_lane(lanes);
+  prefetch(tree, node.child[a]);
+  prefetch(tree, node.child[b]);
+  const Open first = opened(where, a, enters[a]), second = opened(where, b, enters[b]);
+  Open nearest = HWY_MIN(first, second);
+  Open* const bottom = end;
+  *end++ = HWY_MAX(first, second);
   while (lanes != 0) {
     const std::uint32_t lane = take_lane(lanes);
+    prefetch(tree, node.child[lane]);
     const Open child = opened(where, lane, enters[lane]);
     const Open farther = HWY_MAX(child, nearest);
     nearest = HWY_MIN(child, nearest);
     Open* at = end++;
-    for (; at != first && at[-1] < farther; --at)
+    for (; at != bottom && at[-1] < farther; --at)
       *at = at[-1];
     *at = farther;
   }
   return nearest;
+}
+
+/// A leaf that a ray has been compared with.
+struct AskedLeaf {
+  const std::uint32_t* primitives;
+  LeafAnswer answer;
+  alignas(32) float least[RayTree::kLeafSize];
+  float most[RayTree::kLeafSize];
+};
+
+HWY_INLINE void ask_corners(const RayTree& tree, RayChild leaf, const SeenLeaf& seen,
+                            const RayWalkState& state, AskedLeaf& asked) {
+  asked.primitives = tree.primitives + leaf.place();
+  // A row of indices and its points are two misses, one after the other: the first begins before it
+  // is known whose row counts.
+  const PrimitivePoints& ahead = state.primitives;
+  if (ahead.points != nullptr) {
+    for (std::uint32_t i = 0; i < leaf.count(); ++i)
+      hwy::Prefetch(ahead.indices + asked.primitives[i]);
+  } else {
+    hwy::Prefetch(asked.primitives);
+  }
+  asked.answer = ask_leaf(tree.leaf(leaf), leaf.count(), seen, state, asked.least, asked.most);
+}
+
+HWY_INLINE void ask_shared_points(const RayTree& tree, RayChild leaf, const SeenLeaf& seen,
+                                  const RayWalkState& state, AskedLeaf& asked) {
+  const auto& shared = *reinterpret_cast<const SharedPoints*>(tree.leaf(leaf));
+  const std::uint32_t* const points = tree.leaf(leaf) + SharedPoints::kHeader;
+  asked.primitives = tree.primitives + shared.place();
+  hwy::Prefetch(asked.primitives);
+  if (const double* const ahead = state.primitives.points; ahead != nullptr) {
+    // Most leaves have about as many points as this. There is no branch: after the last one comes
+    // the last one again.
+    constexpr std::uint32_t kFetched = 8;
+    const std::uint32_t last = shared.count() - 1;
+    const std::uint32_t* const numbers = points + shared.count();
+    for (std::uint32_t i = 0; i < kFetched; ++i)
+      hwy::Prefetch(ahead + std::size_t{3} * numbers[HWY_MIN(i, last)]);
+  }
+  asked.answer = ask_leaf(shared, points, leaf.count(), seen, state, asked.least, asked.most);
+}
+
+/// Returns a candidate, and begins to fetch its numbers.
+HWY_INLINE RayCandidate candidate_of(const RayTree& tree, RayChild leaf, const AskedLeaf& asked,
+                                     std::uint32_t lane, const PrimitivePoints& ahead) {
+  RayCandidate candidate;
+  candidate.primitive = asked.primitives[lane];
+  candidate.least = asked.least[lane];
+  candidate.is_sure = (asked.answer.sure >> lane & 1) != 0;
+  if (tree.leaves == RayLeaves::SharedPoints) {
+    const auto& shared = *reinterpret_cast<const SharedPoints*>(tree.leaf(leaf));
+    const std::uint32_t* const numbers = tree.leaf(leaf) + SharedPoints::kHeader + shared.count();
+    for (std::uint32_t c = 0; c < 3; ++c)
+      candidate.corners[c] = numbers[shared.corner(lane, c)];
+  } else if (ahead.points != nullptr) {
+    candidate.corners = ahead.indices[candidate.primitive];
+  } else {
+    hwy::Prefetch(ahead.indices + candidate.primitive);
+    return candidate;
+  }
+  if (ahead.points != nullptr) {
+    for (const std::uint32_t point : candidate.corners)
+      hwy::Prefetch(ahead.points + std::size_t{3} * point);
+  }
+  return candidate;
 }
 
 /// Lists the primitives of a leaf that are not surely missed, and returns how many. Lowers the
@@ -83,39 +156,25 @@ HWY_INLINE Open open_children(std::uint32_t where, std::uint32_t lanes, const fl
 HWY_NOINLINE std::size_t visit_leaf(const RayTree& tree, const RayNode& node, std::uint32_t of_leaf,
                                     RayWalkState& state, RayCandidate* found, bool& is_surely_hit) {
   const RayChild leaf = node.child[of_leaf];
-  const std::uint32_t* const primitives = tree.primitives + leaf.place();
-  // A row of indices and its points are two misses, one after the other: the first begins before it
-  // is known whose row counts.
-  const PrimitivePoints& ahead = state.primitives;
-  if (ahead.points != nullptr) {
-    for (std::uint32_t i = 0; i < leaf.count(); ++i)
-      hwy::Prefetch(ahead.indices + primitives[i]);
-  } else {
-    hwy::Prefetch(primitives);
-  }
   const SeenLeaf seen(node, of_leaf, state);
-  alignas(32) float least[RayTree::kLeafSize], most[RayTree::kLeafSize];
-  LeafAnswer answer = ask_leaf(tree.corners.get() + std::size_t{3} * leaf.place(), leaf.count(),
-                               seen, state, least, most);
-  if (answer.sure != 0 && state.aim != RayAim::All) {
+  AskedLeaf asked;
+  if (tree.leaves == RayLeaves::SharedPoints) {
+    ask_shared_points(tree, leaf, seen, state, asked);
+  } else {
+    ask_corners(tree, leaf, seen, state, asked);
+  }
+  if (asked.answer.sure != 0 && state.aim != RayAim::All) {
     is_surely_hit = true;
-    for (std::uint32_t sure = answer.sure; sure != 0;) {
-      const float last = most[take_lane(sure)];
+    for (std::uint32_t sure = asked.answer.sure; sure != 0;) {
+      const float last = asked.most[take_lane(sure)];
       if (last < state.limit) state.limit = last;
     }
   }
   std::size_t size = 0;
-  while (answer.near != 0) {
-    const std::uint32_t lane = take_lane(answer.near);
-    if (least[lane] > state.limit) continue;
-    const std::uint32_t primitive = primitives[lane];
-    if (ahead.points != nullptr) {
-      for (const std::uint32_t point : ahead.indices[primitive])
-        hwy::Prefetch(ahead.points + std::size_t{3} * point);
-    } else {
-      hwy::Prefetch(ahead.indices + primitive);
-    }
-    found[size++] = {primitive, least[lane], (answer.sure >> lane & 1) != 0};
+  for (std::uint32_t near = asked.answer.near; near != 0;) {
+    const std::uint32_t lane = take_lane(near);
+    if (asked.least[lane] <= state.limit)
+      found[size++] = candidate_of(tree, leaf, asked, lane, state.primitives);
   }
   return size;
 }
@@ -144,8 +203,7 @@ HWY_INLINE std::size_t walk(const RayTree& tree, RayWalkState& state, Open* end)
         // If there is only one, the next node does not wait for where the ray enters it.
         lane = first_lane(lanes);
       } else {
-        prefetch(tree, *node, lanes);
-        lane = lane_of(open_children(child.where(), lanes, enters, end));
+        lane = lane_of(open_children(tree, *node, child.where(), lanes, enters, end));
       }
       child = node->child[lane];
     }

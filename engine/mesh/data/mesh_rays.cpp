@@ -41,6 +41,8 @@ class RayCorners : public bvh::LocalCorners {
     }
   }
 
+  std::span<const TriangleIndices> numbers() const override { return triangles_; }
+
  private:
   std::span<const Eigen::Vector3d> vertices_;
   std::span<const TriangleIndices> triangles_;

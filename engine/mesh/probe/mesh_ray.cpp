@@ -108,7 +108,7 @@ class MeshForRays {
       for (std::size_t i = 0; i < found.size; ++i) {
         const bvh::RayCandidate& candidate = found.items[i];
         if (walk.is_beyond(candidate)) continue;
-        const auto hit = cast_at(candidate.primitive, ray, candidate.is_sure);
+        const auto hit = cast_at(corners_of(candidate), ray, candidate.is_sure);
         if (!hit) continue;
         const double wanted = on_hit(*hit, candidate.primitive);
         if (wanted == kEnough || (walk.is_done() && i + 1 == found.size)) return;
@@ -123,7 +123,7 @@ class MeshForRays {
   /// Fetches the corners of the first candidate.
   void prefetch_corners(const Candidates& found) const {
     if (found.size == 0) return;
-    for (const std::uint32_t vertex : triangles_[found.items[0].primitive])
+    for (const std::uint32_t vertex : corners_of(found.items[0]))
       __builtin_prefetch(vertices_ + vertex);
   }
 
@@ -145,39 +145,45 @@ class MeshForRays {
   template <typename OnHit>
   void ask_all(const narrowphase::PreparedRay& ray, OnHit&& on_hit) const {
     for (std::uint32_t index = 0; index < triangles_.size(); ++index) {
-      const auto hit = cast_at(index, ray, false);
+      const auto hit = cast_at(triangles_[index], ray, false);
       if (hit && on_hit(*hit, index) == kEnough) return;
     }
   }
 
-  std::optional<TriangleRayHit> cast_at(std::uint32_t index, const narrowphase::PreparedRay& ray,
-                                        bool is_sure) const {
+  /// Returns the candidate's row, from where it is read already.
+  const TriangleIndices& corners_of(const bvh::RayCandidate& candidate) const {
+    return rays_.tree.leaves == bvh::RayLeaves::SharedPoints ? candidate.corners
+                                                             : triangles_[candidate.primitive];
+  }
+
+  std::optional<TriangleRayHit> cast_at(const TriangleIndices& corners,
+                                        const narrowphase::PreparedRay& ray, bool is_sure) const {
     if (work_ != nullptr) ++work_->triangle_tests;
-    if (!is_sure) return cast_at_unsure(index, ray);
-    const auto& [a, b, c] = triangles_[index];
+    if (!is_sure) return cast_at_unsure(corners, ray);
+    const auto& [a, b, c] = corners;
     std::optional<TriangleRayHit> found;
     // An identity changes no value but the sign of a zero, which does not show in these.
     if (is_at_rest_) {
       found = narrowphase::cast_through(vertices_[a].data(), vertices_[b].data(),
                                         vertices_[c].data(), ray);
     } else {
-      const Triangle triangle = placed(index);
+      const Triangle triangle = placed(corners);
       found =
           narrowphase::cast_through(triangle.a.data(), triangle.b.data(), triangle.c.data(), ray);
     }
-    return found ? found : cast_at_unsure(index, ray);
+    return found ? found : cast_at_unsure(corners, ray);
   }
 
   [[gnu::noinline]] std::optional<TriangleRayHit> cast_at_unsure(
-      std::uint32_t index, const narrowphase::PreparedRay& ray) const {
+      const TriangleIndices& corners, const narrowphase::PreparedRay& ray) const {
     narrowphase::Stage stage;
-    auto found = narrowphase::cast_ray(placed(index), ray, stage);
+    auto found = narrowphase::cast_ray(placed(corners), ray, stage);
     if (work_ != nullptr) work_->exact_tests += stage == narrowphase::Stage::Exact;
     return found;
   }
 
-  Triangle placed(std::uint32_t index) const {
-    const auto& [a, b, c] = triangles_[index];
+  Triangle placed(const TriangleIndices& corners) const {
+    const auto& [a, b, c] = corners;
     return narrowphase::place(placed_.pose, Triangle{vertices_[a], vertices_[b], vertices_[c]});
   }
 

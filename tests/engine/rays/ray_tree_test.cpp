@@ -4,6 +4,7 @@
 #include <graze/bvh/tree/tree.h>
 #include <graze/engine/mesh/data/mesh_rays.h>
 #include <graze/engine/mesh/data/mesh_trees.h>
+#include <graze/engine/mesh/mesh_ray.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -11,6 +12,7 @@
 
 #include "tests/shapes/formula_meshes.h"
 #include "tests/shapes/random_meshes.h"
+#include "tests/shapes/random_source.h"
 
 namespace graze {
 namespace {
@@ -46,10 +48,20 @@ class Checked {
 
   void look_at(const bvh::RayNode& node, std::uint32_t lane, std::uint32_t i) {
     const bvh::RayChild leaf = node.child[lane];
-    const std::uint32_t primitive = rays_.primitives[leaf.place() + i];
+    const std::uint32_t* const words = rays_.leaf(leaf);
+    const bool is_shared = rays_.leaves == bvh::RayLeaves::SharedPoints;
+    const bvh::SharedPoints shared = is_shared ? *reinterpret_cast<const bvh::SharedPoints*>(words)
+                                               : bvh::SharedPoints(leaf.place(), 1);
+    const std::uint32_t primitive = rays_.primitives[shared.place() + i];
     ++seen_[primitive];
     for (std::uint32_t c = 0; c < 3; ++c) {
-      const std::uint32_t packed = rays_.corners[3 * leaf.place() + c * leaf.count() + i];
+      const std::uint32_t* const points = words + bvh::SharedPoints::kHeader;
+      const std::uint32_t point = shared.corner(i, c);
+      const std::uint32_t packed = is_shared ? points[point] : words[c * leaf.count() + i];
+      if (is_shared) {
+        ASSERT_LT(point, shared.count());
+        EXPECT_EQ(points[shared.count() + point], mesh_.triangles()[primitive][c]);
+      }
       const Eigen::Vector3d& corner = mesh_.vertices()[mesh_.triangles()[primitive][c]];
       for (int k = 0; k < 3; ++k) {
         const double low = node.box[2 * k][lane], high = node.box[2 * k + 1][lane];
@@ -110,6 +122,31 @@ TEST(RayTree, HoldsEachPrimitiveOnce) {
     ASSERT_FALSE(testing::Test::HasFailure()) << count;
   }
   const Checked torus(tests::make_torus(1, 0.3, 60, 40));
+}
+
+TEST(RayTree, SharesPointsWhereNeighboursDo) {
+  const Mesh ball = tests::make_sphere(1, 60, 120);
+  std::vector<Eigen::Vector3d> own;
+  std::vector<TriangleIndices> triangles;
+  for (const TriangleIndices& t : ball.triangles()) {
+    const auto first = static_cast<std::uint32_t>(own.size());
+    triangles.push_back({first, first + 1, first + 2});
+    for (const std::uint32_t v : t)
+      own.push_back(ball.vertices()[v]);
+  }
+  const Mesh apart(own, triangles);
+  EXPECT_EQ(rays_of(ball).tree.leaves, bvh::RayLeaves::SharedPoints);
+  EXPECT_EQ(rays_of(apart).tree.leaves, bvh::RayLeaves::Corners);
+  const Checked checked_ball(ball);
+  const Checked checked_apart(apart);
+  RandomSource source(3);
+  for (int n = 0; n < 2000; ++n) {
+    const Ray ray{source.vector(-2, 2), source.vector(-1, 1)};
+    const auto hit = cast_ray({ball}, ray);
+    EXPECT_TRUE(hit == cast_ray({apart}, ray));
+    EXPECT_EQ(intersects({ball}, ray), hit.has_value());
+    EXPECT_TRUE(cast_ray_all({ball}, ray) == cast_ray_all({apart}, ray));
+  }
 }
 
 }  // namespace
