@@ -7,8 +7,8 @@ namespace graze::bvh {
 namespace {
 
 /// The cost of a node beside its surface, so that there are fewer nodes where that makes no
-/// difference to rays, and more leaves can share points. It is a share of a primitive in the surface
-/// of the box of all.
+/// difference to rays, and more leaves can share points. It is a share of a primitive in the
+/// surface of the box of all.
 constexpr float kRoom = 16;
 
 }  // namespace

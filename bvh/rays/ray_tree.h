@@ -124,11 +124,11 @@ struct RayTree {
     return *reinterpret_cast<const RayNode*>(bytes + std::size_t{where} * kUnit);
   }
 
-  /// Returns the first word of a leaf.
-  const std::uint32_t* leaf(RayChild child) const {
-    const std::size_t words = leaves == RayLeaves::SharedPoints ? 1 : 3;
-    return corners.get() + words * child.place();
+  /// Returns where a leaf begins among the words of all.
+  std::size_t first_word(RayChild leaf) const {
+    return (leaves == RayLeaves::SharedPoints ? std::size_t{1} : std::size_t{3}) * leaf.place();
   }
+  const std::uint32_t* leaf(RayChild child) const { return corners.get() + first_word(child); }
 
   /// Frees what is in large pages.
   struct LargePages {

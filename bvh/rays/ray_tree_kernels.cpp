@@ -46,9 +46,11 @@ HWY_INLINE std::uint32_t lane_of(Open open) {
 /// no order that could be foretold.
 HWY_INLINE void prefetch(const RayTree& tree, RayChild child) {
   constexpr std::size_t kLine = 64;
-  const auto* const node = reinterpret_cast<const std::byte*>(&tree.node(child.where()));
-  const auto* const leaf = reinterpret_cast<const std::byte*>(tree.leaf(child));
-  const auto* const first = child.is_leaf() ? leaf : node;
+  const std::size_t leaf = sizeof(std::uint32_t) * tree.first_word(child);
+  const std::size_t node = RayTree::kUnit * std::size_t{child.where()};
+  const auto* const first = child.is_leaf()
+                                ? reinterpret_cast<const std::byte*>(tree.corners.get()) + leaf
+                                : reinterpret_cast<const std::byte*>(tree.nodes.get()) + node;
   // Leaves that share points take three lines, and their places are not known yet.
   const auto* const last = child.is_leaf() && tree.leaves == RayLeaves::Corners
                                ? reinterpret_cast<const std::byte*>(tree.primitives + child.place())
