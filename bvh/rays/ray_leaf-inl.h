@@ -105,25 +105,58 @@ struct CornerRows {
   }
 };
 
+/// Returns which point is one corner of each primitive, for all lanes of the tag.
+template <typename Tag>
+HWY_INLINE hn::Vec<Tag> which_points(Tag tag, std::uint32_t corners) {
+  const auto shifts = hn::Mul(hn::Iota(tag, 0), hn::Set(tag, SharedPoints::kBits));
+  return hn::And(hn::Shr(hn::Set(tag, corners), shifts), hn::Set(tag, SharedPoints::kMost - 1));
+}
+
+/// Returns the points, where eight lanes at once hold eight of them.
+template <typename Tag, std::size_t kLanes>
+struct PointTable {
+  static constexpr Tag kTag{};
+  hn::Vec<Tag> first;
+  hn::Vec<Tag> others;
+
+  HWY_INLINE explicit PointTable(const std::uint32_t* points)
+      : first(hn::LoadU(kTag, points)), others(hn::LoadU(kTag, points + RayTree::kLeafSize)) {}
+
+  HWY_INLINE hn::Vec<Tag> corners(std::uint32_t which) const {
+    const auto all = which_points(kTag, which);
+    const auto of_eight = hn::IndicesFromVec(kTag, hn::And(all, hn::Set(kTag, 7)));
+    const auto is_other = hn::TestBit(all, hn::Set(kTag, 8));
+    return hn::IfThenElse(is_other, hn::TableLookupLanes(others, of_eight),
+                          hn::TableLookupLanes(first, of_eight));
+  }
+};
+
+/// Does the same where a register holds all of them.
+template <typename Tag>
+struct PointTable<Tag, SharedPoints::kMost> {
+  static constexpr Tag kTag{};
+  static constexpr hn::CappedTag<hn::TFromD<Tag>, SharedPoints::kMost> kAll{};
+  hn::Vec<decltype(hn::CappedTag<hn::TFromD<Tag>, SharedPoints::kMost>())> all;
+
+  HWY_INLINE explicit PointTable(const std::uint32_t* points) : all(hn::LoadU(kAll, points)) {}
+
+  HWY_INLINE hn::Vec<Tag> corners(std::uint32_t which) const {
+    const auto places = hn::IndicesFromVec(kAll, which_points(kAll, which));
+    return hn::LowerHalf(kTag, hn::TableLookupLanes(all, places));
+  }
+};
+
 /// The corners of a leaf whose primitives share points, where there is a lane for each primitive.
 struct SharedCorners {
+  using Tag = hn::Rebind<std::uint32_t, RayTag>;
   const SharedPoints& leaf;
-  PointLanes first;  ///< the first eight points
-  PointLanes others;
+  PointTable<Tag, hn::MaxLanes(hn::CappedTag<std::uint32_t, SharedPoints::kMost>())> table;
 
   HWY_INLINE SharedCorners(const SharedPoints& of, const std::uint32_t* points)
-      : leaf(of),
-        first(hn::LoadU(hn::Rebind<std::uint32_t, RayTag>(), points)),
-        others(hn::LoadU(hn::Rebind<std::uint32_t, RayTag>(), points + RayTree::kLeafSize)) {}
+      : leaf(of), table(points) {}
 
   HWY_INLINE PointLanes row(std::uint32_t c, std::size_t) const {
-    const hn::Rebind<std::uint32_t, RayTag> bits;
-    const auto shifts = hn::Mul(hn::Iota(bits, 0), hn::Set(bits, SharedPoints::kBits));
-    const auto which = hn::Shr(hn::Set(bits, leaf.corners(c)), shifts);
-    const auto of_eight = hn::IndicesFromVec(bits, hn::And(which, hn::Set(bits, 7)));
-    const auto is_first = hn::Eq(hn::And(which, hn::Set(bits, 8)), hn::Zero(bits));
-    return hn::IfThenElse(is_first, hn::TableLookupLanes(first, of_eight),
-                          hn::TableLookupLanes(others, of_eight));
+    return table.corners(leaf.corners(c));
   }
 };
 

@@ -120,6 +120,11 @@ class MeshForRays {
     }
   }
 
+  /// Returns the points, if their numbers can be had without waiting, or null.
+  const double* early_points() const {
+    return rays_.tree.leaves == bvh::RayLeaves::SharedPoints ? vertices_->data() : nullptr;
+  }
+
   /// Fetches the corners of the first candidate.
   void prefetch_corners(const Candidates& found) const {
     if (found.size == 0) return;
@@ -227,7 +232,8 @@ void first_hits(const MeshForRays& mesh, std::span<const Ray> rays, std::optiona
                 RayInTurn (&in_turn)[kInTurn]) {
   for (std::size_t i = 0; i < rays.size(); ++i) {
     RayInTurn& turn = in_turn[i];
-    mesh.begin(turn.walk, turn.ray.emplace(rays[i]), bvh::RayAim::First, nullptr, turn.found);
+    mesh.begin(turn.walk, turn.ray.emplace(rays[i]), bvh::RayAim::First, mesh.early_points(),
+               turn.found);
   }
   for (std::size_t i = 0; i < rays.size(); ++i)
     mesh.prefetch_corners(in_turn[i].found);
