@@ -124,6 +124,23 @@ TEST(RayTree, HoldsEachPrimitiveOnce) {
   const Checked torus(tests::make_torus(1, 0.3, 60, 40));
 }
 
+// Four points of two triangles are few enough to be named in a leaf, and too many for its room.
+TEST(RayTree, SharesNoPointsWhereThatTakesMoreRoom) {
+  std::vector<Eigen::Vector3d> vertices;
+  std::vector<TriangleIndices> triangles;
+  for (int i = 0; i < 400; ++i) {
+    const auto a = static_cast<std::uint32_t>(vertices.size());
+    for (const Eigen::Vector3d& corner :
+         {Eigen::Vector3d(0, 0, 0), {1, 0, 0}, {1, 1, 0}, {0, 1, 0}})
+      vertices.push_back(corner + 2 * Eigen::Vector3d(i % 20, i / 20, 0));
+    triangles.push_back({a, a + 1, a + 2});
+    triangles.push_back({a, a + 2, a + 3});
+  }
+  const Mesh tiles(vertices, triangles);
+  EXPECT_EQ(rays_of(tiles).tree.leaves, bvh::RayLeaves::Corners);
+  const Checked checked(tiles);
+}
+
 TEST(RayTree, SharesPointsWhereNeighboursDo) {
   const Mesh ball = tests::make_sphere(1, 60, 120);
   std::vector<Eigen::Vector3d> own;
