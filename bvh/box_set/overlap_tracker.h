@@ -15,10 +15,9 @@ namespace graze::bvh {
 /// A box set, the list of its overlapping pairs, and what the last update changed in that list.
 ///
 /// Boxes change when a ninth change comes, or before a query or an update; the list changes with
-/// the next update. With few
-/// changes the list is edited: a box that changed is looked up where it was and where it is. The
-/// difference is what began and what ended. With many changes all pairs are searched anew, and what
-/// changed is worked out if somebody asks.
+/// the next update. With few changes the list is edited: a box that changed is looked up where it
+/// was and where it is. The difference is what began and what ended. With many changes all pairs
+/// are searched anew, and what changed is worked out if somebody asks.
 class OverlapTracker {
  public:
   explicit OverlapTracker(int threads) : set_(threads) {}

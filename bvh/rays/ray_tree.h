@@ -66,8 +66,7 @@ enum class RayLeaves {
   /// n + i.
   Corners,
   /// A leaf is a SharedPoints, whose word its child tells. Neighbours share points, so that there
-  /// is
-  /// room for the points' numbers, by which a primitive's corners are found sooner.
+  /// is room for the points' numbers, by which a primitive's corners are found sooner.
   SharedPoints,
 };
 
@@ -102,13 +101,15 @@ class SharedPoints {
 static_assert(sizeof(SharedPoints) == SharedPoints::kHeader * sizeof(std::uint32_t));
 
 /// A binary tree collapsed for rays: nodes of eight boxes, leaves of up to eight primitives, which
-/// lie in the binary tree's order, so that place i is primitive `tree.primitives[i]`. It takes up
-/// to 20 bytes a primitive, twelve to thirteen of them for the leaves.
+/// lie in the binary tree's order, so that place i is primitive `tree.primitives[i]`. Where
+/// there are thousands of primitives it takes up to 20 bytes for each, twelve to thirteen of them
+/// for the leaves.
 struct RayTree {
   static constexpr std::uint32_t kLeafSize = 8;
   static constexpr std::uint32_t kBits = 10;
   static constexpr std::uint32_t kSteps = (1u << kBits) - 1;
-  static constexpr std::size_t kRoom = 20;  ///< the words behind the leaves that may be read
+  /// The words behind the leaves that may be read: all points that a leaf can have.
+  static constexpr std::size_t kRoom = SharedPoints::kHeader + SharedPoints::kMost;
   /// The words that a primitive may take with the nodes where leaves share points.
   static constexpr std::size_t kMostWords = 5;
 
@@ -124,7 +125,7 @@ struct RayTree {
     return *reinterpret_cast<const RayNode*>(bytes + std::size_t{where} * kUnit);
   }
 
-  /// Returns where a leaf begins among the words of all.
+  /// Returns where a leaf begins among the words of all. Of a node it is a number without meaning.
   std::size_t first_word(RayChild leaf) const {
     return (leaves == RayLeaves::SharedPoints ? std::size_t{1} : std::size_t{3}) * leaf.place();
   }
@@ -154,7 +155,7 @@ struct RayTree {
   }
 };
 
-/// Returns the tree for rays over a binary tree, in linear time, the most of it parallel.
+/// Returns the tree for rays over a binary tree, in linear time. What fills leaves is parallel.
 RayTree ray_tree_over(const Tree& tree, const LocalCorners& corners);
 
 }  // namespace graze::bvh

@@ -43,22 +43,20 @@ HWY_INLINE std::uint32_t lane_of(Open open) {
 }
 
 /// Fetches what is read when a child's turn comes. There is no branch, as leaves and nodes come in
-/// no order that could be foretold.
+/// no order that could be foretold. Addresses are integers: those behind the last leaf are fetched,
+/// but are of no object.
 HWY_INLINE void prefetch(const RayTree& tree, RayChild child) {
   constexpr std::size_t kLine = 64;
   const std::size_t leaf = sizeof(std::uint32_t) * tree.first_word(child);
   const std::size_t node = RayTree::kUnit * std::size_t{child.where()};
-  const auto* const first = child.is_leaf()
-                                ? reinterpret_cast<const std::byte*>(tree.corners.get()) + leaf
-                                : reinterpret_cast<const std::byte*>(tree.nodes.get()) + node;
-  // Leaves that share points take three lines, and their places are not known yet.
-  const auto* const last = child.is_leaf() && tree.leaves == RayLeaves::Corners
-                               ? reinterpret_cast<const std::byte*>(tree.primitives + child.place())
-                               : first + 3 * kLine;
-  hwy::Prefetch(first);
-  hwy::Prefetch(first + kLine);
-  hwy::Prefetch(first + 2 * kLine);
-  hwy::Prefetch(last);
+  const auto first = child.is_leaf() ? reinterpret_cast<std::uintptr_t>(tree.corners.get()) + leaf
+                                     : reinterpret_cast<std::uintptr_t>(tree.nodes.get()) + node;
+  // Of leaves that share points the places of the primitives are not known yet.
+  const auto last = child.is_leaf() && tree.leaves == RayLeaves::Corners
+                        ? reinterpret_cast<std::uintptr_t>(tree.primitives + child.place())
+                        : first + 3 * kLine;
+  for (const std::uintptr_t line : {first, first + kLine, first + 2 * kLine, last})
+    hwy::Prefetch(reinterpret_cast<const std::byte*>(line));
 }
 
 /// Puts all of the children but the nearest on the stack, the nearest of them last, and returns

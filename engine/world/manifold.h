@@ -207,10 +207,10 @@ struct ManifoldSettings {
 ///
 /// A body that does not touch, but is on the inner side of a mesh whose sides count, has contacts,
 /// too: one region, in front of which the body is once it has moved by the greatest depth. It
-/// leaves a solid by the shortest way out through a triangle that it then lies before, as far as
-/// the triangles that are about as near as that way is long can tell; and a surface with a front
-/// along the normal of the nearest triangle. A body that touches as well is led out by what it
-/// touches, as without sides.
+/// leaves a solid by the shortest way through a triangle or past an edge or corner of it, as far as
+/// the triangles that are about as near as that way is long can tell; a surface with a front along
+/// the normal of the nearest triangle, or straight ahead past a border. A body that touches as well
+/// is led out by what it touches, as without sides.
 ///
 /// With a margin of 0 and surfaces alone these are the contacts without settings, bit for bit.
 /// Throws as find_contacts() without settings does; InputError for a margin that is negative,

@@ -24,12 +24,12 @@ namespace graze::bvh {
 /// It holds the pairs of a query box and the children of a tested node, and the pairs of leaves.
 /// Each has planes that kept it out, and a budget: so much motion, measured from begin() on, cannot
 /// make these planes fail. A front of distances gives near pairs of primitives a plane and a budget
-/// of their own. Planes and budgets are the
-/// certificates and failure times of a kinetic data structure (Basch, Guibas and Hershberger, "Data
-/// structures for mobile data", 1999), with bounds of motion in place of known motions. A pass
-/// looks only at pairs whose budget is spent and that no plane keeps out any more, and opens what
-/// has come near. What was opened stays so until begin(), so that the front grows. Leaves in which
-/// primitives meet, or are parted by no plane, are busy: each pass decides all their pairs anew.
+/// of their own. Planes and budgets are the certificates and failure times of a kinetic data
+/// structure (Basch, Guibas and Hershberger, "Data structures for mobile data", 1999), with bounds
+/// of motion in place of known motions. A pass looks only at pairs whose budget is spent and that
+/// no plane keeps out any more, and opens what has come near. What was opened stays so until
+/// begin(), so that the front grows. Leaves in which primitives meet, or are parted by no plane,
+/// are busy: each pass decides all their pairs anew.
 ///
 /// All lengths are in the common units of both trees. Motions add up: no point of B's box has come
 /// further in A's frame than their sum.

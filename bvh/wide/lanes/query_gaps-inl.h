@@ -10,7 +10,6 @@
 #include <graze/bvh/wide/lanes/query_box-inl.h>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 HWY_BEFORE_NAMESPACE();
 namespace graze::bvh::HWY_NAMESPACE {

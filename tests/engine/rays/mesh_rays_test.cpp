@@ -189,6 +189,12 @@ TEST(Law8MeshRays, AnswersDoNotDependOnTheSimdTarget) {
       EXPECT_GT(expect_all_alike(placed, some_rays(placed, 2, source)), 0u);
       EXPECT_FALSE(HasFailure()) << n << ' ' << hwy::TargetName(target);
     }
+    // Leaves of larger meshes share points, which are looked up otherwise for each width of a
+    // register.
+    const Mesh ball = tests::make_sphere(1, 30, 60);
+    ASSERT_EQ(rays_of(ball).tree.leaves, bvh::RayLeaves::SharedPoints);
+    EXPECT_GT(expect_all_alike({ball}, some_rays({ball}, 2, source)), 0u);
+    EXPECT_FALSE(HasFailure()) << hwy::TargetName(target);
   }
   force_simd_target(0);
 }

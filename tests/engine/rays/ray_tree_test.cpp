@@ -141,6 +141,24 @@ TEST(RayTree, SharesNoPointsWhereThatTakesMoreRoom) {
   const Checked checked(tiles);
 }
 
+/// A leaf can number sixteen points: eight triangles that share none have more.
+TEST(RayTree, SharesNoPointsWhereALeafHasTooMany) {
+  const Mesh ball = tests::make_sphere(1, 60, 120);
+  ASSERT_EQ(rays_of(ball).tree.leaves, bvh::RayLeaves::SharedPoints);
+  std::vector<Eigen::Vector3d> points(ball.vertices().begin(), ball.vertices().end());
+  std::vector<TriangleIndices> triangles(ball.triangles().begin(), ball.triangles().end());
+  for (int i = 0; i < 8; ++i) {
+    const auto first = static_cast<std::uint32_t>(points.size());
+    const Eigen::Vector3d at(4, 4 + 1e-3 * i, 4);
+    points.insert(points.end(),
+                  {at, at + Eigen::Vector3d(1e-3, 0, 0), at + Eigen::Vector3d(0, 0, 1e-3)});
+    triangles.push_back({first, first + 1, first + 2});
+  }
+  const Mesh mesh(points, triangles);
+  EXPECT_EQ(rays_of(mesh).tree.leaves, bvh::RayLeaves::Corners);
+  const Checked checked(mesh);
+}
+
 TEST(RayTree, SharesPointsWhereNeighboursDo) {
   const Mesh ball = tests::make_sphere(1, 60, 120);
   std::vector<Eigen::Vector3d> own;

@@ -187,6 +187,7 @@ TEST(SolidHollows, TheOrderOfTheTrianglesDoesNotDecide) {
       if (by_one.empty()) continue;
       ++inside;
       const Manifold by_other = find_contacts({body}, {other}, {.sides_b = kSolid});
+      ASSERT_FALSE(by_other.empty());
       ASSERT_NEAR(by_one[0].depth, by_other[0].depth, 1e-9) << n << " " << k;
     }
   }

@@ -327,6 +327,7 @@ TEST(Manifold, AllocatesNothingInsideASolid) {
   const auto ask = [&](double x) {
     const Manifold found =
         find_contacts({plate, at({x, 0, 0.05})}, {solid}, {.sides_b = MeshSides::solid()});
+    ASSERT_FALSE(found.empty());
     EXPECT_NEAR(found[0].depth, 0.17, 1e-12);
   };
   ask(0.02);

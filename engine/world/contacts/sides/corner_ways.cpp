@@ -65,7 +65,7 @@ std::optional<LocalParting> CornerWays::shortest(double limit) {
     }
   }
   if (s_.found.empty()) return std::nullopt;
-  // The order of the triangles must not decide.
+  // Of ways that are equally long the order of the triangles must not decide.
   return parting_of(
       *std::min_element(s_.found.begin(), s_.found.end(), [](const Way& s, const Way& t) {
         return s.exit.depth != t.exit.depth ? s.exit.depth < t.exit.depth : s.vertex < t.vertex;
@@ -84,17 +84,18 @@ LocalParting CornerWays::parting_of(const Way& way) const {
   return {index, way.exit, LeftFeature::Corner, k};
 }
 
-/// True if bounds that cost little show that no way past the corner is below the limit. A direction
-/// that the corner faces is a sum of normals of its triangles, in shares of 1 or more together: a
-/// point of the body moves along it no less than to the nearest of their planes.
+/// True if bounds that cost little show that no way past the corner is below the limit, or if the
+/// corner does not face the sum of its triangles' normals. A direction that it faces is a sum of
+/// these normals, in shares of 1 or more together: a point of the body moves along it no less than
+/// to the nearest of their planes.
 bool CornerWays::is_too_far(const Corner& corner, const Vec3& deepest, double limit) const {
   if (length(corner.at - core_.at) - core_.bounding_radius >= limit) return true;
   s_.normals.clear();
   Vec3 sum;
   for (const std::uint32_t index : features_.fan(corner.vertex)) {
-    const PlacedCorners of = placed_corners(placing_, index);
-    s_.normals.push_back(
-        unit_or(cross(of.corner[1] - of.corner[0], of.corner[2] - of.corner[0]), {0, 0, 0}));
+    const Core triangle = core_of(placed_corners(placing_, index));
+    if (FacingFeatures::is_sliver(triangle)) continue;
+    s_.normals.push_back(LocalPartings::normal_of(triangle));
     sum = sum + s_.normals.back();
   }
   // The normal that showed that a point is too near is asked first about the next one.

@@ -36,8 +36,8 @@ constexpr double kNegligible = 1e-9;
 // are right to rounding. The rest is for searches that end by kMostSupports.
 constexpr double kMeeting = 1e-3;
 
-// Contacts are as deep as the way out is long, to the twentieth that law 15 allows.
-constexpr double kDeepShare = 0.95;
+// Contacts are as deep as the way out is long, to the three thousandths that law 15 allows.
+constexpr double kDeepShare = 0.997;
 
 }  // namespace
 
@@ -326,7 +326,8 @@ void Enclosure::add(ContactCandidates& candidates) const {
     return bvh::Walk::Continue;
   });
   if (!std::isfinite(counted)) best = exits.past_nearest(descent, nearest_distance).value_or(best);
-  if (const auto past_corner = exits.past_corner(std::min(counted, best.exit.depth)))
+  const double longest = best.exit.depth > 0 ? std::min(counted, best.exit.depth) : counted;
+  if (const auto past_corner = exits.past_corner(longest))
     best = *past_corner, counted = past_corner->exit.depth;
   TriangleCandidates found(core, mesh_, candidates, work_);
   if (std::isfinite(counted)) {
