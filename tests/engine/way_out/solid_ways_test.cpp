@@ -5,6 +5,7 @@
 #include <graze/engine/world/manifold.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -79,6 +80,26 @@ TEST(SolidWays, Law15APlateLeavesPastABluntCorner) {
     const Pose frame =
         n % 2 == 0 ? Pose::Identity() : tests::random_pose(n % 4 == 1 ? 1 : 1000, source);
     expect_up(solid, half, in_solid, frame, 0.17);
+  }
+}
+
+// A triangle without area at the tip has no normal, or one that rounding makes.
+TEST(SolidWays, Law15APlateLeavesPastATipWithASliver) {
+  RandomSource source(1566);
+  const Mesh whole = double_pyramid();
+  for (int n = 0; n < 40; ++n) {
+    SCOPED_TRACE(n);
+    std::vector<Vector3d> vertices(whole.vertices().begin(), whole.vertices().end());
+    const double share = n % 4 == 0 ? 0.5 : source.uniform(0.1, 0.9);
+    vertices.push_back((1 - share) * vertices[4] + share * vertices[0]);
+    std::vector<TriangleIndices> triangles(whole.triangles().begin(), whole.triangles().end());
+    const auto beside = std::find(triangles.begin(), triangles.end(), TriangleIndices{0, 1, 4});
+    ASSERT_NE(beside, triangles.end());
+    *beside = {0, 1, 6};
+    triangles.push_back({6, 1, 4});
+    triangles.push_back({0, 6, 4});
+    const Pose frame = n % 2 == 0 ? Pose::Identity() : tests::random_pose(1, source);
+    expect_up(Mesh(vertices, triangles), {0.18, 0.18, 0.02}, tests::at(0, 0, 0.05), frame, 0.17);
   }
 }
 
