@@ -141,6 +141,7 @@ HWY_INLINE RayCandidate candidate_of(const RayTree& tree, RayChild leaf, const A
     candidate.corners = ahead.indices[candidate.primitive];
   } else {
     hwy::Prefetch(ahead.indices + candidate.primitive);
+    candidate.corners = {};
     return candidate;
   }
   if (ahead.points != nullptr) {

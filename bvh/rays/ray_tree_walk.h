@@ -38,8 +38,8 @@ struct RayCandidate {
   float least;   ///< the least s at which the ray may be in it, seen from the walk's start
   bool is_sure;  ///< true if the ray goes through it, within and not along it, before the first
                  ///< limit
-  std::array<std::uint32_t, 3> corners = {};  ///< their numbers, if the leaves are
-                                              ///< RayLeaves::SharedPoints
+  std::array<std::uint32_t, 3> corners;  ///< their numbers, if the leaves are
+                                         ///< RayLeaves::SharedPoints, else 0 or the same
 };
 
 /// Counts what a walk did.
